@@ -5,14 +5,27 @@
                    "form_factor": 1 + k, "stern": -25, -10, 0 or 10, "appendage_area": m2,
                    "appendage_factor": 1 + k2, "propeller_diameter": m, "twin_screw": false,
                    "deadrise_deg": degrees, "chine_beam": m, "shaft_angle_deg": degrees,
-                   "thrust_arm": m, "heel_deg": degrees}
+                   "thrust_arm": m, "heel_deg": degrees, "open_water_efficiency": 0 to below 1,
+                   "shaft_efficiency": to 1, "thruster_diameter": m, "roughness_um": µm,
+                   "planing_mass_t": t, "planing_lcg": m, "wave_speed_kn": knots,
+                   "holtrop": numbers by the names of HoltropInputs,
+                   "delft": numbers by the names of DelftInputs}
 
-All may be left out; lengths and areas of 0 are not given.
+All may be left out; lengths and areas of 0 are not given, and none of the numbers in place of what
+the hull has.
 """
 
 from .checked_json import shown
-from .limits import FASTEST_KN, LARGEST_WIND_AREA, LONGEST_DIMENSION
-from .ship_data import RESISTANCE_METHODS, STERNS, Resistance
+from .limits import FASTEST_KN, HEAVIEST_LOAD, LARGEST_WIND_AREA, LONGEST_DIMENSION
+from .ship_data import (
+    DELFT_UNITS,
+    HOLTROP_UNITS,
+    RESISTANCE_METHODS,
+    STERNS,
+    DelftInputs,
+    HoltropInputs,
+    Resistance,
+)
 
 KEY = "resistance"
 # Least and greatest number.
@@ -26,12 +39,29 @@ _NUMBERS = {
     "shaft_angle_deg": (-45.0, 45.0),
     "thrust_arm": (-LONGEST_DIMENSION, LONGEST_DIMENSION),
     "heel_deg": (0.0, 35.0),
+    "open_water_efficiency": (0.0, 0.99),
+    "shaft_efficiency": (0.01, 1.0),
+    "thruster_diameter": (0.0, LONGEST_DIMENSION),
+    "roughness_um": (1.0, 10000.0),
+    "planing_mass_t": (0.0, HEAVIEST_LOAD),
+    "planing_lcg": (0.0, LONGEST_DIMENSION),
+    "wave_speed_kn": (0.0, FASTEST_KN),
+}
+# What is given in place of what the hull has, and the bounds of its units.
+_INPUTS = {"holtrop": (HoltropInputs, HOLTROP_UNITS), "delft": (DelftInputs, DELFT_UNITS)}
+_OF_UNITS = {
+    "m": (0.0, LONGEST_DIMENSION),
+    "m2": (0.0, LARGEST_WIND_AREA),
+    "m3": (0.0, HEAVIEST_LOAD),
+    "%": (-50.0, 50.0),
+    "°": (0.0, 89.0),
+    "": (0.0, 1.1),
 }
 
 
 def parsed(check, content):
     """The Resistance of a hull file's content; raises HullFileError."""
-    known = ("method", "speeds_kn", "stern", "twin_screw", *_NUMBERS)
+    known = ("method", "speeds_kn", "stern", "twin_screw", *_NUMBERS, *_INPUTS)
     entries = check.object(content.get(KEY, {}), KEY, known)
     found = Resistance()
     for name, bounds in _NUMBERS.items():
@@ -44,7 +74,18 @@ def parsed(check, content):
     found.speeds_kn = tuple(
         check.number(speed, f"{KEY}.speeds_kn", 0.0, FASTEST_KN) for speed in speeds
     )
+    for name, (kind, units) in _INPUTS.items():
+        setattr(found, name, _given(check, entries.get(name, {}), f"{KEY}.{name}", kind, units))
     return found
+
+
+def _given(check, content, place, kind, units):
+    entries = check.object(content, place, tuple(units))
+    values = {
+        name: check.number(value, f"{place}.{name}", *_OF_UNITS[units[name]])
+        for name, value in entries.items()
+    }
+    return kind(**{name: value or None for name, value in values.items()})
 
 
 def _one_of(check, entries, name, choices, usual):
@@ -70,5 +111,10 @@ def entries(data):
             "stern": int(own.stern),
             "twin_screw": bool(own.twin_screw),
             **{name: float(getattr(own, name)) for name in _NUMBERS},
+            **{name: given for name in _INPUTS if (given := _entries_of(getattr(own, name)))},
         }
     }
+
+
+def _entries_of(inputs):
+    return {name: float(value) for name, value in vars(inputs).items() if value is not None}

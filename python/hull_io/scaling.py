@@ -39,6 +39,26 @@ FOLLOWING = {
     "resistance.propeller_diameter": "z",
     "resistance.chine_beam": "y",
     "resistance.thrust_arm": "z",
+    "resistance.thruster_diameter": "z",
+    "resistance.planing_mass_t": "volume",
+    "resistance.planing_lcg": "x",
+    "resistance.holtrop.length": "x",
+    "resistance.holtrop.beam": "y",
+    "resistance.holtrop.draft_forward": "at z",
+    "resistance.holtrop.draft_aft": "at z",
+    "resistance.holtrop.displaced_volume": "volume",
+    "resistance.holtrop.wetted_surface": "surface",
+    "resistance.holtrop.bulb_area": "section",
+    "resistance.holtrop.bulb_height": "at z",
+    "resistance.holtrop.transom_area": "section",
+    "resistance.delft.length": "x",
+    "resistance.delft.beam": "y",
+    "resistance.delft.draft": "z",
+    "resistance.delft.volume": "volume",
+    "resistance.delft.waterplane_area": "plan",
+    "resistance.delft.wetted_surface": "surface",
+    "resistance.delft.lcb": "x",
+    "resistance.delft.lcf": "x",
     "weights.items.mass_t": "volume",
     "weights.items.lcg": "at x",
     "weights.items.tcg": "at y",
@@ -85,11 +105,14 @@ STAYING = frozenset(
     layers.thickness layers.density weights.thickness weights.density weights.items.name
     load_cases.with_weights resistance.method resistance.speeds_kn resistance.form_factor
     resistance.stern resistance.appendage_factor resistance.twin_screw resistance.deadrise_deg
-    resistance.shaft_angle_deg resistance.heel_deg
-    particulars.water_density scheme deck_edge shown_rows flats.faces flats.offset
-    developables.faces developables.warp developables.distance developables.keep locked
-    kept.stations kept.buttocks kept.waterlines ties.kind ties.point ties.to ties.share groups.name
-    groups.points afloat.heel_deg afloat.deck_closed load.free_trim load.kg_is_guess
+    resistance.shaft_angle_deg resistance.heel_deg resistance.open_water_efficiency
+    resistance.shaft_efficiency resistance.roughness_um resistance.wave_speed_kn
+    resistance.holtrop.lcb_percent resistance.holtrop.midship resistance.holtrop.waterplane
+    resistance.holtrop.entrance_angle_deg resistance.delft.prismatic resistance.delft.midship
+    particulars.water_density scheme deck_edge shown_rows flats.faces flats.offset developables.faces
+    developables.warp developables.distance developables.keep locked kept.stations
+    kept.buttocks kept.waterlines ties.kind ties.point ties.to ties.share groups.name groups.points
+    afloat.heel_deg afloat.deck_closed load.free_trim load.kg_is_guess
     load_cases.name openings.name wind.hull_profile wind.areas.name wind.pressure wind.sharp_bilges
     wind.roll_period lines.shown lines.station_count lines.stations_in lines.planes.name
     lines.planes.shown targets.rows.quantity targets.rows.value targets.rows.sense
@@ -164,6 +187,14 @@ class Scale:
         """An area seen from the side."""
         return value * self.factors[0] * self.factors[2]
 
+    def plan(self, value):
+        """An area seen from above."""
+        return value * self.factors[0] * self.factors[1]
+
+    def surface(self, value):
+        """An area of a shell, as large as its volume: how it lies is not known."""
+        return value * float(np.prod(self.factors)) ** (2.0 / 3.0)
+
     def section(self, value):
         """An area across the ship."""
         return value * self.factors[1] * self.factors[2]
@@ -234,6 +265,8 @@ CHANGES = {
     "volume": lambda scale, holder, value: scale.volume(value),
     "profile": lambda scale, holder, value: scale.profile(value),
     "section": lambda scale, holder, value: scale.section(value),
+    "plan": lambda scale, holder, value: scale.plan(value),
+    "surface": lambda scale, holder, value: scale.surface(value),
     "list y": lambda scale, holder, value: scale.listed(1, value),
     "list z": lambda scale, holder, value: scale.listed(2, value),
     "diagonals": lambda scale, holder, value: scale.diagonals(value),

@@ -127,10 +127,77 @@ STERNS = (-25, -10, 0, 10)
 
 
 @dataclass
+class HoltropInputs:
+    """What of a ship is given to Holtrop and Mennen's method in place of what the hull has, None
+    of none: hull_native.HoltropShip, by its names."""
+
+    length: float | None = None
+    beam: float | None = None
+    draft_forward: float | None = None
+    draft_aft: float | None = None
+    displaced_volume: float | None = None
+    lcb_percent: float | None = None
+    midship: float | None = None
+    waterplane: float | None = None
+    wetted_surface: float | None = None
+    entrance_angle_deg: float | None = None
+    bulb_area: float | None = None
+    bulb_height: float | None = None
+    transom_area: float | None = None
+
+
+@dataclass
+class DelftInputs:
+    """The same of a canoe body for the Delft series: hull_native.DelftYacht, by its names."""
+
+    length: float | None = None
+    beam: float | None = None
+    draft: float | None = None
+    volume: float | None = None
+    waterplane_area: float | None = None
+    wetted_surface: float | None = None
+    prismatic: float | None = None
+    midship: float | None = None
+    lcb: float | None = None
+    lcf: float | None = None
+
+
+# Their units, as tables have them.
+HOLTROP_UNITS = {
+    "length": "m",
+    "beam": "m",
+    "draft_forward": "m",
+    "draft_aft": "m",
+    "displaced_volume": "m3",
+    "lcb_percent": "%",
+    "midship": "",
+    "waterplane": "",
+    "wetted_surface": "m2",
+    "entrance_angle_deg": "°",
+    "bulb_area": "m2",
+    "bulb_height": "m",
+    "transom_area": "m2",
+}
+DELFT_UNITS = {
+    "length": "m",
+    "beam": "m",
+    "draft": "m",
+    "volume": "m3",
+    "waterplane_area": "m2",
+    "wetted_surface": "m2",
+    "prismatic": "",
+    "midship": "",
+    "lcb": "m",
+    "lcf": "m",
+}
+
+
+@dataclass
 class Resistance:
     """How the resistance is reckoned: method, first, last and step of speeds in knots, and what
-    only the designer knows. Lengths in m, areas in m²; 0: not given. chine_beam 0: that of the
-    waterline."""
+    only the designer knows. Lengths in m, areas in m²; 0: not given. Of chine_beam, deadrise_deg,
+    planing_mass_t and planing_lcg, of Savitsky's method, 0 is what the hull has; wave_speed_kn, of
+    wave pattern and spectrum, 0: the last speed. roughness_um: of the hull, µm."""
 
     method: str = "holtrop"
     speeds_kn: tuple = (6.0, 16.0, 1.0)
@@ -140,8 +207,17 @@ class Resistance:
     appendage_factor: float = 1.5
     propeller_diameter: float = 0.0
     twin_screw: bool = False
-    deadrise_deg: float = 15.0
+    open_water_efficiency: float = 0.0
+    shaft_efficiency: float = 1.0
+    thruster_diameter: float = 0.0
+    roughness_um: float = 150.0
+    planing_mass_t: float = 0.0
+    planing_lcg: float = 0.0
+    deadrise_deg: float = 0.0
     chine_beam: float = 0.0
     shaft_angle_deg: float = 0.0
     thrust_arm: float = 0.0
     heel_deg: float = 0.0
+    wave_speed_kn: float = 0.0
+    holtrop: HoltropInputs = field(default_factory=HoltropInputs)
+    delft: DelftInputs = field(default_factory=DelftInputs)

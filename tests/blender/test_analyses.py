@@ -58,12 +58,14 @@ ALL = (
     "load_cases",
     "weights",
     "resistance_curves",
+    "wave_pattern",
+    "wave_spectrum",
     "offset_table",
     "knuckle_angles",
     "differences",
     "area_differences",
 )
-PLOTTED = (*ALL[:5], "resistance_curves", "knuckle_angles")
+PLOTTED = (*ALL[:5], *ALL[8:11], "knuckle_angles")
 
 
 def test_these_are_all():

@@ -22,7 +22,8 @@ SIZES = {
 }  # fmt: skip
 TABLES = (
     "hydrostatic_table", "sectional_areas", "bonjean_curves", "righting_levers", "cross_curves",
-    "criteria", "load_cases", "weights", "resistance_curves", "knuckle_angles",
+    "criteria", "load_cases", "weights", "resistance_curves", "wave_pattern", "wave_spectrum",
+    "knuckle_angles",
 )  # fmt: skip
 
 

@@ -96,9 +96,7 @@ def test_holtrop_table_and_text(hull):
 def test_rows_of_a_given_ship_have_the_power(hull):
     propeller = hn.Propeller(5.0, open_water_efficiency=0.6, shaft_efficiency=0.98)
     draft = hull.ship.draft
-    rows = hn.holtrop_rows(
-        hn.holtrop_ship(hull.body, draft=draft), SPEEDS, propeller=propeller
-    )
+    rows = hn.holtrop_rows(hn.holtrop_ship(hull.body, draft=draft), SPEEDS, propeller=propeller)
     assert rows == hn.holtrop_table(hull.body, SPEEDS, draft=draft, propeller=propeller)
     for row in rows:
         efficiency = row["hull_efficiency"] * row["rotative_efficiency"] * 0.6

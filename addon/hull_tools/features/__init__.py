@@ -14,8 +14,8 @@ Each subject uses itself, those above it and the bridge, nothing else:
   hull            a hull as a whole: made, brought up to date, its tags, saved
   curves_of_form  tables and curves of upright hulls: drafts, sectional areas, Bonjean curves
   stability       righting levers, cross curves, load cases, criteria
-  resistance      resistance and power over speeds
   variants        hulls that were kept, and the hull beside another one: ghost, differences
+  resistance      resistance and power over speeds, also of the hull beside; the waves behind
   analyses        all tables and plots of those above, computed when they are looked at
   conversion      the surface as B-spline patches, and how far they are from it
   exchange        hull files; files for other programs: lines plan, tables, STEP, IGES, DXF

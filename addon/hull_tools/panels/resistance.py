@@ -1,15 +1,32 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Resistance and power over speeds."""
 
+from math import radians
+
 import bpy
 
-from ..bridge.blender.units import in_unit
+from ...hull_io.ship_data import DELFT_UNITS, HOLTROP_UNITS
+from ..bridge.blender.units import format_value, in_unit
 from ..bridge.objects import hull_objects
 from ..features.analyses import live_analyses
 from ..features.resistance import resistance_curves
-from .shared import HullPanel, export_buttons, label_wrapped, latest_result, text_field
+from ..features.variants import other_hull
+from .shared import HullPanel, export_buttons, field_or, label_wrapped, latest_result, text_field
 
 _ROWS = 12  # of the table; the file has all
+
+# Settings that stand for what the hull has, the names hull_native has for them, and their units.
+_INPUTS = {
+    "HOLTROP": [(f"holtrop.{name}", name, unit) for name, unit in HOLTROP_UNITS.items()],
+    "DELFT": [(f"delft.{name}", name, unit) for name, unit in DELFT_UNITS.items()],
+    "SAVITSKY": [
+        ("planing_mass_t", "mass_t", "t"),
+        ("planing_lcg", "lcg", "m"),
+        ("chine_beam", "beam", "m"),
+        ("deadrise", "deadrise_deg", "°"),
+    ],
+    "MICHELL": [],
+}
 
 
 class HULL_PT_resistance(HullPanel, bpy.types.Panel):
@@ -20,7 +37,8 @@ class HULL_PT_resistance(HullPanel, bpy.types.Panel):
 
     def draw(self, context):
         layout = self.layout
-        own = hull_objects.hull_of(context.object).hull.resistance
+        hull = hull_objects.hull_of(context.object)
+        own = hull.hull.resistance
         text_field(layout, own, "method")
         column = layout.column(align=True)
         for name in ("speed_from", "speed_to", "speed_step"):
@@ -32,14 +50,16 @@ class HULL_PT_resistance(HullPanel, bpy.types.Panel):
                 column.prop(own, "heel")
         elif own.method == "SAVITSKY":
             column = layout.column(align=True)
-            for name in ("deadrise", "chine_beam", "shaft_angle", "thrust_arm"):
+            for name in ("shaft_angle", "thrust_arm"):
                 column.prop(own, name)
         else:
             self._draw_ship(layout, own)
         result, place = latest_result(layout, context, "resistance_curves", "Over speed", _ROWS + 1)
         if result is not None:
             self._draw_table(place, context, result)
-        layout.prop(hull_objects.hull_of(context.object).hull.plots, "resistance_curves")
+        layout.prop(hull.hull.plots, "resistance_curves")
+        if other_hull.is_chosen(hull):
+            layout.prop(hull.hull.variants, "resistance_beside")
         export_buttons(layout, "resistance_curves")
 
     def _draw_ship(self, layout, own):
@@ -50,26 +70,102 @@ class HULL_PT_resistance(HullPanel, bpy.types.Panel):
         column = layout.column(align=True)
         column.prop(own, "propeller_diameter")
         if own.propeller_diameter:
+            column.prop(own, "open_water_efficiency")
+            if own.open_water_efficiency:
+                column.prop(own, "shaft_efficiency")
             column.prop(own, "twin_screw")
 
     def _draw_table(self, layout, context, result):
         row = layout.row(align=True)
         row.scale_y = 0.8
         chosen = [result.rows[i] for i in resistance_curves.shown(len(result.rows), _ROWS)]
-        self._draw_column(row, "kn", [line["speed_kn"] for line in chosen])
-        for name, column, unit in (
-            ("RT", "total_kN", "kN"),
-            ("PE", "effective_power_kW", "kW"),
-        ):
-            cells = [in_unit(context.scene, line[column], unit) for line in chosen]
-            self._draw_column(row, f"{name} {cells[0][1]}", [number for number, _ in cells])
+        draw_column(row, "kn", [line["speed_kn"] for line in chosen])
+        for name, column, unit in _COLUMNS:
+            if column in chosen[0]:
+                self._draw_quantity(row, context, name, unit, [line[column] for line in chosen])
+        if resistance_curves.is_compared(result):
+            found = [result.other.row_at(line["speed_m_s"]) for line in chosen]
+            totals = [line and line["total_kN"] for line in found]
+            self._draw_quantity(row, context, "other", "kN", totals)
 
-    def _draw_column(self, layout, heading, numbers):
-        column = layout.column(align=True)
-        column.alignment = "RIGHT"
-        column.label(text=heading)
-        for number in numbers:
+    def _draw_quantity(self, row, context, name, unit, values):
+        cells = [None if v is None else in_unit(context.scene, v, unit)[0] for v in values]
+        draw_column(row, f"{name} {in_unit(context.scene, 0.0, unit)[1]}", cells)
+
+
+# Of the table: symbols, columns of hull_native's rows, units; PD is there where asked for.
+_COLUMNS = (
+    ("RT", "total_kN", "kN"),
+    ("PE", "effective_power_kW", "kW"),
+    ("PD", "delivered_power_kW", "kW"),
+)
+
+
+def draw_column(layout, heading, numbers):
+    column = layout.column(align=True)
+    column.alignment = "RIGHT"
+    column.label(text=heading)
+    for number in numbers:
+        if number is None:
+            column.label(text="–")
+        else:
             column.label(text=f"{number:.4g}" if number < 1e4 else f"{number:.0f}")
+
+
+class HULL_PT_resistance_inputs(HullPanel, bpy.types.Panel):
+    """What the method asks of the hull, as measured, and what is given in its place"""
+
+    bl_label = "Inputs"
+    bl_parent_id = "HULL_PT_resistance"
+    bl_options = {"DEFAULT_CLOSED"}
+
+    def draw(self, context):
+        layout, hull = self.layout, hull_objects.hull_of(context.object)
+        own = hull.hull.resistance
+        if own.method == "HOLTROP":
+            column = layout.column(align=True)
+            column.prop(own, "thruster_diameter")
+            column.prop(own, "roughness_um")
+        rows = _INPUTS[own.method]
+        if not rows:
+            label_wrapped(layout, context, "Michell takes the exact surface itself", icon="INFO")
+            return
+        outcome = live_analyses.latest(hull, context.scene, "resistance_curves")[0]
+        result = outcome.result if outcome else None
+        measured = result.measured if result and result.given.method == own.method else {}
+        split = layout.split(factor=0.66)
+        split.label(text="Given, 0: hull's")
+        split.label(text="Hull")
+        column = layout.column(align=True)
+        for place, name, unit in rows:
+            self._draw_input(column, context, own, place, measured.get(name), unit)
+
+    def _draw_input(self, column, context, own, place, value, unit):
+        group, _, name = place.rpartition(".")
+        split = column.split(factor=0.66, align=True)
+        split.prop(getattr(own, group) if group else own, name)
+        right = split.row()
+        right.active = not getattr(getattr(own, group) if group else own, name)
+        if unit == "°" and value is not None:
+            value, unit = radians(value), "deg"
+        right.label(text=format_value(context.scene, value, unit))
+
+
+class HULL_PT_resistance_waves(HullPanel, bpy.types.Panel):
+    """The waves behind the hull at a speed, by Michell's integral"""
+
+    bl_label = "Waves"
+    bl_parent_id = "HULL_PT_resistance"
+    bl_options = {"DEFAULT_CLOSED"}
+
+    def draw(self, context):
+        layout, hull = self.layout, hull_objects.hull_of(context.object)
+        field_or(layout, hull.hull.resistance, "wave_speed_kn", "the last speed")
+        for name in ("wave_pattern", "wave_spectrum"):
+            layout.prop(hull.hull.plots, name)
+            if getattr(hull.hull.plots, name):
+                latest_result(layout, context, name, "Behind the hull")
+            export_buttons(layout, name)
 
 
 class HULL_PT_resistance_remarks(HullPanel, bpy.types.Panel):
@@ -89,4 +185,9 @@ class HULL_PT_resistance_remarks(HullPanel, bpy.types.Panel):
             self.layout.label(text="None")
 
 
-CLASSES = (HULL_PT_resistance, HULL_PT_resistance_remarks)
+CLASSES = (
+    HULL_PT_resistance,
+    HULL_PT_resistance_inputs,
+    HULL_PT_resistance_waves,
+    HULL_PT_resistance_remarks,
+)

@@ -33,6 +33,8 @@ class HullPlots(bpy.types.PropertyGroup):
     righting_levers: _switch("Righting levers GZ")
     cross_curves: _switch("Cross curves KN")
     resistance_curves: _switch("Resistance")
+    wave_pattern: _switch("Wave pattern")
+    wave_spectrum: _switch("Wave spectrum")
     knuckle_angles: _switch("Angles of knuckles")
     corner: EnumProperty(
         name="Corner",

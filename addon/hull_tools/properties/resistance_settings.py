@@ -5,9 +5,9 @@ in knots and areas in m² whatever the scene's units."""
 from math import radians
 
 import bpy
-from bpy.props import EnumProperty, FloatProperty
+from bpy.props import EnumProperty, FloatProperty, PointerProperty
 
-from .shared import angle, changed, length, switch
+from .shared import angle, changed, length, mass, switch
 
 
 def _number(name, description, default, greatest, minimum=0.0):
@@ -21,6 +21,62 @@ def _number(name, description, default, greatest, minimum=0.0):
         step=10,
         update=changed,
     )
+
+
+_FROM_HULL = "0: what the hull has"
+
+
+def _length(name, description):
+    return length(name, f"{description}; {_FROM_HULL}")
+
+
+def _input(name, description, greatest, minimum=0.0):
+    return FloatProperty(
+        name=name,
+        description=f"{description}; {_FROM_HULL}",
+        min=minimum,
+        max=greatest,
+        precision=4,
+        step=10,
+        update=changed,
+    )
+
+
+class HullHoltropInputs(bpy.types.PropertyGroup):
+    """What is given to Holtrop and Mennen's method, by the names of hull_native.HoltropShip."""
+
+    length: _length("Length", "On the waterline")
+    beam: _length("Beam", "On the waterline")
+    draft_forward: _length("Draft forward", "At the waterline's forward end, to the base line")
+    draft_aft: _length("Draft aft", "At the waterline's after end, to the base line")
+    displaced_volume: _input("Volume m³", "Displaced volume in m³", 1e8)
+    lcb_percent: _input(
+        "LCB %", "Forward of the middle of the waterline, in % of its length", 50.0, -50.0
+    )
+    midship: _input("CM", "Largest section by beam and draft", 1.1)
+    waterplane: _input("CWP", "Waterplane by length and beam", 1.1)
+    wetted_surface: _input("Wetted m²", "Wetted surface in m²", 1e6)
+    entrance_angle_deg: _input(
+        "Entrance °", "Half angle of entrance of the waterline, in degrees", 89.0
+    )
+    bulb_area: _input("Bulb m²", "Section of the bulb where the water meets the stem, in m²", 1e6)
+    bulb_height: _length("Bulb centre", "Of that section above the keel")
+    transom_area: _input("Transom m²", "Of the transom in the water when at rest, in m²", 1e6)
+
+
+class HullDelftInputs(bpy.types.PropertyGroup):
+    """What is given of the canoe body to the Delft series, by hull_native.DelftYacht's names."""
+
+    length: _length("Length", "On the waterline")
+    beam: _length("Beam", "On the waterline")
+    draft: _length("Draft", "Of the canoe body")
+    volume: _input("Volume m³", "Displaced volume of the canoe body, in m³", 1e8)
+    waterplane_area: _input("Waterplane m²", "Area of the waterplane, in m²", 1e6)
+    wetted_surface: _input("Wetted m²", "Wetted surface of the canoe body, in m²", 1e6)
+    prismatic: _input("CP", "Prismatic coefficient of the canoe body, on the waterline", 1.1)
+    midship: _input("CM", "Largest section by beam and draft", 1.1)
+    lcb: _length("LCB", "Centre of buoyancy abaft the waterline's forward end")
+    lcf: _length("LCF", "Centre of flotation abaft the waterline's forward end")
 
 
 class HullResistance(bpy.types.PropertyGroup):
@@ -68,8 +124,27 @@ class HullResistance(bpy.types.PropertyGroup):
         "Propeller", "Its diameter, for wake and thrust deduction; 0: not reckoned"
     )
     twin_screw: switch("Twin screws", "Two propellers")
+    open_water_efficiency: _number(
+        "Open water",
+        "Efficiency of the propeller in open water, for the delivered power; 0: not " "reckoned",
+        0.0,
+        0.99,
+    )
+    shaft_efficiency: _number(
+        "Shaft", "What gears and bearings leave of the engine's power", 1.0, 1.0, 0.01
+    )
+    thruster_diameter: length("Thruster", "Diameter of a bow thruster's tunnel; 0: none")
+    roughness_um: _number("Roughness µm", "Of the hull; 150: that of new ships", 150.0, 1e4, 1.0)
+    planing_mass_t: mass("Mass t", f"Of the boat, in t; {_FROM_HULL}")
+    planing_lcg: length(
+        "LCG", f"Centre of gravity before the transom, along the keel; {_FROM_HULL}"
+    )
     deadrise: angle(
-        "Deadrise", "Of the bottom, its mean where it is wet", radians(15.0), 0.0, radians(44.0)
+        "Deadrise",
+        "Mean of the bottom where it is wet; 0: that of the hull, over the waterline's after half",
+        0.0,
+        0.0,
+        radians(44.0),
     )
     chine_beam: length(
         "Chine beam", "Mean breadth over the chines where they are wet; 0: that of the waterline"
@@ -81,6 +156,11 @@ class HullResistance(bpy.types.PropertyGroup):
         "Thrust arm", "How far the shaft's line runs below the centre of gravity", minimum=None
     )
     heel: angle("Heel", "At which the yacht sails, to either side", 0.0, 0.0, radians(35.0))
+    wave_speed_kn: _number(
+        "Waves at kn", "Speed of wave pattern and spectrum, in knots; 0: the last speed", 0.0, 100.0
+    )
+    holtrop: PointerProperty(type=HullHoltropInputs)
+    delft: PointerProperty(type=HullDelftInputs)
 
 
-CLASSES = (HullResistance,)
+CLASSES = (HullHoltropInputs, HullDelftInputs, HullResistance)

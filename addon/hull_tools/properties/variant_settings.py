@@ -52,6 +52,12 @@ class HullVariants(bpy.types.PropertyGroup):
         "Show the other hull's lines behind this one's, at the same places, with its knuckles and "
         "borders, and its sectional areas in the plot",
     )
+    resistance_beside: switch(
+        "Other hull beside",
+        "Show the resistance of the hull that this one is compared with beside its own, by the "
+        "same method and at the same speeds",
+        True,
+    )
     afloat: EnumProperty(
         name="Afloat",
         description="At which draft, trim and heel the other hull is compared",

@@ -16,8 +16,8 @@ _RANGES = (
 )
 _MOST_FROUDE = {1982: 0.45, 1984: 0.8}
 
-# One hull's broadest of so many stations has the waterline's breadth but for 2 %, though a tunnel or
-# a well may lie at others; two hulls have not so much of it even where they nearly touch.
+# The broadest of so many stations of one hull has the waterline's breadth but for 2 %, though a
+# tunnel or a well may lie at others; two hulls have not so much of it even where they nearly touch.
 _STATIONS, _ONE_HULL = 25, 0.9
 
 
@@ -176,7 +176,8 @@ def holtrop_ship(body, *, draft, trim=0.0, draft_at=0.0, **given):
     surface, the entrance's chord angle over 5 % of the waterline, the section where the water meets
     the stem for the bulb, and the one at the waterline's after end for the transom. Drafts are to
     z = 0. Hulls lie side by side where no station has most of the waterline's breadth as water
-    within the ship. ValueError for a hull out of the water, names that are no fields, and as hydrostatics().
+    within the ship. ValueError for a hull out of the water, names that are no fields, and as
+    hydrostatics().
     """
     names = {each.name for each in fields(HoltropShip)}
     for name in given:

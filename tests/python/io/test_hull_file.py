@@ -52,7 +52,9 @@ def content(**changes):
         "weights": {"thickness": 0.01, "density": 2.7,
                     "items": [{"name": "mast", "mass_t": 0.5, "vcg": 6}]},
         "resistance": {"method": "savitsky", "speeds_kn": [5, 30, 2.5], "stern": -10,
-                       "deadrise_deg": 18, "thrust_arm": -0.1, "twin_screw": True},
+                       "deadrise_deg": 18, "thrust_arm": -0.1, "twin_screw": True,
+                       "shaft_efficiency": 0.98, "holtrop": {"bulb_area": 2, "midship": 0},
+                       "delft": {"lcb": 4.5}},
         "openings": [{"name": "hatch", "position": [5, 1, 3]}],
         "wind": {
             "hull_profile": False,
@@ -150,8 +152,10 @@ def test_a_file_is_read(read):
     assert hull.load_cases == [hull_io.LoadCase("ballast", 8.0, 5.0, -0.1, 1.0)]
     assert hull.weights == hull_io.Weights(0.01, 2.7, [hull_io.Weight("mast", 0.5, vcg=6.0)])
     assert hull.resistance == hull_io.Resistance(
-        "savitsky", (5.0, 30.0, 2.5), stern=-10, deadrise_deg=18.0, thrust_arm=-0.1, twin_screw=True
-    )
+        "savitsky", (5.0, 30.0, 2.5), stern=-10, deadrise_deg=18.0, thrust_arm=-0.1,
+        twin_screw=True, shaft_efficiency=0.98, holtrop=hull_io.HoltropInputs(bulb_area=2.0),
+        delft=hull_io.DelftInputs(lcb=4.5),
+    )  # fmt: skip
     assert hull.openings == [hull_io.Opening("hatch", (5.0, 1.0, 3.0))]
     areas = [hull_io.WindArea("house", 20.0, 4.5), hull_io.WindArea("Wind area", 5.0)]
     assert hull.wind == hull_io.Wind(False, areas, 3.5, 252.0, 1.5, True, 4.0)
@@ -338,6 +342,16 @@ MISTAKES = {
     "resistance stern": (content(resistance={"stern": True}), "resistance.stern: "),
     "resistance speeds": (content(resistance={"speeds_kn": [1, 2]}), "resistance.speeds_kn"),
     "deadrise": (content(resistance={"deadrise_deg": 60}), "resistance.deadrise_deg: 60"),
+    "shaft": (content(resistance={"shaft_efficiency": 0}), "resistance.shaft_efficiency: 0"),
+    "inputs": (content(resistance={"holtrop": []}), "resistance.holtrop: list is no object"),
+    "inputs key": (
+        content(resistance={"delft": {"breadth": 3}}),
+        'resistance.delft: the key "breadth" is unknown',
+    ),
+    "inputs number": (
+        content(resistance={"holtrop": {"midship": 2}}),
+        "resistance.holtrop.midship: 2",
+    ),
     "load case": (content(load_cases=[7]), "load_cases[0]: 7 is no object"),
     "load case key": (content(load_cases=[{"kg": 1}]), 'load_cases[0]: the key "kg" is unknown'),
     "load case mass": (content(load_cases=[{}]), "load_cases[0].mass_t: it is missing"),

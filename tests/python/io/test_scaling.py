@@ -40,6 +40,7 @@ def paths(cls, before=""):
         "targets": hull_io.Targets, "rows": hull_io.Target, "area_target": hull_io.AreaTarget,
         "weights": hull_io.Weights, "items": hull_io.Weight,
         "resistance": hull_io.Resistance,
+        "holtrop": hull_io.HoltropInputs, "delft": hull_io.DelftInputs,
         "developables": hull_io.Developable,
         "ties": hull_io.Tie, "groups": hull_io.PointGroup,
         "appendages": hull_io.Appendage,

@@ -19,7 +19,7 @@ from ..curves_of_form import beside, bonjean_curves, hydrostatic_table, sectiona
 from ..fairness import knuckle_angles
 from ..hull import hull_state
 from ..lines import offset_table
-from ..resistance import resistance_curves
+from ..resistance import resistance_curves, wave_pattern, wave_spectrum
 from ..stability import criteria, cross_curves, load_cases, righting_levers, weights
 from ..variants import area_differences, differences
 
@@ -33,6 +33,8 @@ ANALYSES = {
     "load_cases": load_cases,
     "weights": weights,
     "resistance_curves": resistance_curves,
+    "wave_pattern": wave_pattern,
+    "wave_spectrum": wave_spectrum,
     "offset_table": offset_table,
     "knuckle_angles": knuckle_angles,
     "differences": differences,
@@ -68,6 +70,14 @@ WORDS = {
     "resistance_curves": (
         "Resistance",
         "Resistance and power over speeds, by the method of the panel",
+    ),
+    "wave_pattern": (
+        "Wave pattern",
+        "The waves behind the hull at a speed, by Michell's integral",
+    ),
+    "wave_spectrum": (
+        "Wave spectrum",
+        "Wave resistance by the direction of the waves at a speed, by Michell's integral",
     ),
     "offset_table": (
         "Table of offsets",

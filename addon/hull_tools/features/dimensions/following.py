@@ -42,6 +42,26 @@ FOLLOWING = {
     "resistance.propeller_diameter": "z",
     "resistance.chine_beam": "y",
     "resistance.thrust_arm": "z",
+    "resistance.thruster_diameter": "z",
+    "resistance.planing_mass_t": "volume",
+    "resistance.planing_lcg": "x",
+    "resistance.holtrop.length": "x",
+    "resistance.holtrop.beam": "y",
+    "resistance.holtrop.draft_forward": "at z",
+    "resistance.holtrop.draft_aft": "at z",
+    "resistance.holtrop.displaced_volume": "volume",
+    "resistance.holtrop.wetted_surface": "surface",
+    "resistance.holtrop.bulb_area": "section",
+    "resistance.holtrop.bulb_height": "at z",
+    "resistance.holtrop.transom_area": "section",
+    "resistance.delft.length": "x",
+    "resistance.delft.beam": "y",
+    "resistance.delft.draft": "z",
+    "resistance.delft.volume": "volume",
+    "resistance.delft.waterplane_area": "plan",
+    "resistance.delft.wetted_surface": "surface",
+    "resistance.delft.lcb": "x",
+    "resistance.delft.lcf": "x",
     "wind.areas.area": "profile",
     "wind.areas.z": "at z",
     "wind.lever": "z",
@@ -79,6 +99,10 @@ STAYING = frozenset(
     loading.heel_greatest loading.heel_step wind.pressure wind.roll_period
     resistance.speed_from resistance.speed_to resistance.speed_step resistance.form_factor
     resistance.appendage_factor resistance.deadrise resistance.shaft_angle resistance.heel
+    resistance.open_water_efficiency resistance.shaft_efficiency resistance.roughness_um
+    resistance.wave_speed_kn resistance.holtrop.lcb_percent resistance.holtrop.midship
+    resistance.holtrop.waterplane resistance.holtrop.entrance_angle_deg
+    resistance.delft.prismatic resistance.delft.midship
     table.trims plots.size plan.width plan.height plan.scale plan.drawn plan.date plan.number
     export.tolerance
     model.scale model.tolerance model.wall model.machine_x model.machine_y model.machine_z
@@ -100,7 +124,10 @@ _IN_METRES = frozenset(
     """lines.stations lines.waterlines lines.buttocks lines.diagonals plates.rules.value""".split()
 )
 # Zero stands for something that follows by itself.
-_ZERO_IS_NONE = frozenset("""draft depth loading.kg table.draft_from table.draft_to""".split())
+_ZERO_IS_NONE = frozenset(
+    """draft depth loading.kg table.draft_from table.draft_to resistance.holtrop.draft_forward
+    resistance.holtrop.draft_aft resistance.holtrop.bulb_height""".split()
+)
 
 
 def follow(obj, scale, metric):

@@ -15,7 +15,7 @@ from ..flotation import afloat, hydrostatics
 from ..hull import hull_saving, hull_state
 from ..lines import line_places
 from ..lines.lines import size_of
-from ..resistance import resistance_curves
+from ..resistance import asked
 
 # Of the hull's size: chords of sections.
 _CHORDS = 1e-5
@@ -131,7 +131,7 @@ def _michlet(obj, scene, state, scale):
 
 def _michlet_speeds(obj, scale):
     """Those of the resistance, fifty at most."""
-    speeds = resistance_curves.inputs(obj.hull, scale).speeds
+    speeds = asked.own_inputs(obj.hull, scale).speeds
     if len(speeds) < 2:
         raise ValueError("Michlet takes two speeds or more: set them in Resistance")
     count = min(len(speeds), _MICHLET_SPEEDS)

@@ -3,18 +3,9 @@
 
 from math import degrees, radians
 
-from ....hull_io.ship_data import (
-    Afloat,
-    Load,
-    LoadCase,
-    Opening,
-    Resistance,
-    Weight,
-    Weights,
-    Wind,
-    WindArea,
-)
+from ....hull_io.ship_data import Afloat, Load, LoadCase, Opening, Weight, Weights, Wind, WindArea
 from ...bridge.blender.units import as_stored, as_typed
+from . import resistance_data
 
 _CENTRE = ("lcg", "tcg", "vcg")
 
@@ -43,7 +34,7 @@ def give_loading(settings, hull, scale):
         entry = loading.downflooding_points.add()
         entry.name = opening.name
         entry.position = [value / scale for value in opening.position]
-    _give_resistance(settings.resistance, hull.resistance, scale)
+    resistance_data.give(settings.resistance, hull.resistance, scale)
     if hull.wind is not None:
         _give_wind(settings.wind, hull.wind, scale)
 
@@ -55,39 +46,6 @@ def _give_weights(settings, weights, scale):
         entry.name, entry.mass_t = item.name, item.mass_t
         for key in _CENTRE:
             setattr(entry, key, getattr(item, key) / scale)
-
-
-_SPEEDS = ("speed_from", "speed_to", "speed_step")
-_RESISTANCE_LENGTHS = ("propeller_diameter", "chine_beam", "thrust_arm")
-_RESISTANCE_NUMBERS = ("form_factor", "appendage_area", "appendage_factor")
-
-
-def _give_resistance(settings, own, scale):
-    settings.method, settings.stern = own.method.upper(), str(own.stern)
-    for name, speed in zip(_SPEEDS, own.speeds_kn):
-        setattr(settings, name, speed)
-    for name in _RESISTANCE_NUMBERS:
-        setattr(settings, name, getattr(own, name))
-    for name in _RESISTANCE_LENGTHS:
-        setattr(settings, name, getattr(own, name) / scale)
-    settings.twin_screw = own.twin_screw
-    settings.deadrise = radians(own.deadrise_deg)
-    settings.shaft_angle = radians(own.shaft_angle_deg)
-    settings.heel = radians(own.heel_deg)
-
-
-def _taken_resistance(settings, metres):
-    return Resistance(
-        method=settings.method.lower(),
-        speeds_kn=tuple(as_stored(getattr(settings, name)) for name in _SPEEDS),
-        stern=int(settings.stern),
-        twin_screw=settings.twin_screw,
-        deadrise_deg=as_typed(degrees(settings.deadrise)),
-        shaft_angle_deg=as_typed(degrees(settings.shaft_angle)),
-        heel_deg=as_typed(degrees(settings.heel)),
-        **{name: as_stored(getattr(settings, name)) for name in _RESISTANCE_NUMBERS},
-        **{name: metres(getattr(settings, name)) for name in _RESISTANCE_LENGTHS},
-    )
 
 
 def _give_wind(settings, wind, scale):
@@ -133,7 +91,7 @@ def take_loading(settings, scale):
             for point in loading.downflooding_points
         ],
         "wind": _taken_wind(settings.wind, metres),
-        "resistance": _taken_resistance(settings.resistance, metres),
+        "resistance": resistance_data.taken(settings.resistance, metres),
     }
 
 

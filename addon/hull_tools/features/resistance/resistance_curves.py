@@ -1,48 +1,31 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Resistance and power over speeds, by the methods of hull_native."""
+"""Resistance and power over speeds, by the methods of hull_native, and beside it that of the hull
+that this one is compared with."""
 
 import math
 from dataclasses import dataclass
 
-from ...bridge import limits, native
-from ...bridge.blender.units import as_typed
-from ..curves_of_form.ranges import stepped
-from ..flotation import afloat
+from ...bridge import native
+from . import asked, beside, methods
+from .asked import KNOT, NAMES
 
 IS_LIVE = False
 
-KNOT = 1852.0 / 3600.0  # m/s
-
-NAMES = {
-    "HOLTROP": "Holtrop and Mennen 1984",
-    "MICHELL": "ITTC 1957 and Michell",
-    "SAVITSKY": "Savitsky 1964",
-    "DELFT": "Delft series 1998",
-}
-
-
-@dataclass(frozen=True)
-class Inputs:
-    where: afloat.Afloat
-    method: str
-    speeds: tuple  # m/s
-    form_factor: float  # 1 + k of the ITTC line
-    stern: float
-    appendages: tuple  # (area in m², 1 + k2), or none
-    propeller: tuple  # (diameter in m, screws), or none
-    planing: tuple  # pairs (argument of hull_native.planing_boat, value), with Savitsky alone
-    heel_deg: float  # with the Delft series alone
+inputs = asked.inputs
 
 
 @dataclass(frozen=True)
 class Result:
     rows: list  # of hull_native.holtrop_table() or another method's
-    given: Inputs
+    given: asked.Inputs
+    measured: dict  # as methods.Found
     told: tuple = ()  # sentences about what was reckoned with
+    other: beside.Other = None
 
     def remarks(self):
         """Sentences about what the numbers rest on, each once."""
         yield from self.told
+        yield from self._of_the_other()
         told = dict.fromkeys(row.get("outside", "") for row in self.rows)
         parts = dict.fromkeys(part for text in told for part in text.split("; ") if part)
         yield from (f"Out of the method's range: {part}" for part in _first_of_each(parts))
@@ -54,6 +37,15 @@ class Result:
         worst = max((_error(row) for row in self.rows), default=0.0)
         if worst > 0.01:
             yield f"The wave resistance is known to {100.0 * worst:.1f} % only: the ends are blunt"
+
+    def _of_the_other(self):
+        if self.other is None:
+            return
+        if self.other.message:
+            yield self.other.message
+        else:
+            where = self.given.beside.inputs.where
+            yield f"Compared with {self.other.name}, at {asked.at(where)}"
 
 
 def _first_of_each(sentences):
@@ -70,118 +62,18 @@ def _error(row):
     return row.get("wave_error_kN", 0.0) / row["total_kN"] if row["total_kN"] > 0.0 else 0.0
 
 
-def inputs(settings, metres_per_unit):
-    own = settings.resistance
-    where = afloat.afloat(settings, metres_per_unit)
-    if where.heel != 0.0:
-        raise ValueError("Resistance is that of the upright hull: set the heel to zero")
-    first, last, step = (
-        limits.within(as_typed(value), f"{name} in kn", 0.0, limits.FASTEST)
-        for name, value in (
-            ("First speed", own.speed_from),
-            ("Last speed", own.speed_to),
-            ("Step of speeds", own.speed_step),
-        )
-    )
-    if not first > 0.0:
-        raise ValueError("The first speed must be more than zero")
-    knots = stepped(first, last, step, "speeds")
-    area = limits.within(as_typed(own.appendage_area), "Appendages in m²", 0.0, 1e6)
-    factor = limits.within(as_typed(own.appendage_factor), "1 + k2", 0.0, 100.0)
-    diameter = as_typed(own.propeller_diameter) * metres_per_unit
-    limits.within(diameter, "Propeller in m", 0.0, limits.LONGEST)
-    return Inputs(
-        where,
-        own.method,
-        tuple(speed * KNOT for speed in knots),
-        limits.within(as_typed(own.form_factor), "1 + k", 0.0, 10.0),
-        float(own.stern),
-        (area, factor) if area > 0.0 else (),
-        (diameter, 2 if own.twin_screw else 1) if diameter > 0.0 else (),
-        _planing(settings, metres_per_unit) if own.method == "SAVITSKY" else (),
-        math.degrees(afloat.as_typed_angle(own.heel)) if own.method == "DELFT" else 0.0,
-    )
-
-
-def _planing(settings, metres_per_unit):
-    own = settings.resistance
-
-    def metres(value, name, least):
-        length = as_typed(value) * metres_per_unit
-        return limits.within(length, f"{name} in m", least, limits.LONGEST)
-
-    found = {
-        "deadrise_deg": math.degrees(afloat.as_typed_angle(own.deadrise)),
-        "vcg": metres(settings.loading.kg, "VCG", 0.0),
-        "thrust_angle_deg": math.degrees(afloat.as_typed_angle(own.shaft_angle)),
-        "thrust_arm": metres(own.thrust_arm, "Thrust arm", -limits.LONGEST),
-    }
-    if beam := metres(own.chine_beam, "Chine beam", 0.0):
-        found["beam"] = beam
-    return tuple(found.items())
-
-
 def compute(ship, given):
-    hull_native = native.require()
-    position = {k: v for k, v in given.where.position().items() if k != "heel"}
-    density = given.where.water_density
-    if given.method == "MICHELL":
-        rows = hull_native.michell_table(
-            ship.body,
-            given.speeds,
-            form_factor=given.form_factor,
-            water_density=density,
-            **position,
-        )
-        return Result(rows, given)
-    if given.method == "SAVITSKY":
-        boat = hull_native.planing_boat(
-            ship.body, water_density=density, **position, **dict(given.planing)
-        )
-        return Result(hull_native.savitsky_table(boat, given.speeds, water_density=density), given)
-    if given.method == "DELFT":
-        return _of_a_yacht(ship, given, position)
-    own = {"stern_coefficient": given.stern}
-    if given.appendages:
-        own["appendages"] = (given.appendages,)
-    propeller = None
-    if given.propeller:
-        diameter, screws = given.propeller
-        propeller = hull_native.Propeller(diameter, screws=screws)
-    rows = hull_native.holtrop_table(
-        ship.body, given.speeds, given=own, propeller=propeller, water_density=density, **position
-    )
-    return Result(rows, given)
-
-
-def _of_a_yacht(ship, given, position):
-    hull_native = native.require()
-    fins = hull_native.delft_fins(ship.body, **position)
-    rows = hull_native.delft_table(
-        hull_native.delft_yacht(ship.body, **position),
-        given.speeds,
-        heel_deg=given.heel_deg,
-        keel=fins.keels,
-        rudder=fins.rudders,
-        form_factor=given.form_factor,
-        water_density=given.where.water_density,
-    )
-    return Result(rows, given, tuple(_told_of(fins)))
-
-
-def _told_of(fins):
-    """Which appendages count as what."""
-    for word, found in (("Keel", fins.keels), ("Rudder", fins.rudders)):
-        if found:
-            yield f"{word}: {', '.join(fin.name for fin in found)}"
-    if not fins.keels and not fins.rudders:
-        yield "No keel, no rudder: what is in the hull's own mesh counts as hull"
-    if fins.left_out:
-        yield f"Left out, as no fin in the water: {', '.join(fins.left_out)}"
+    own = methods.found(ship.body, given)
+    ship.tell(1, 2)
+    return Result(own.rows, given, own.measured, own.told, beside.computed(given.beside))
 
 
 # What ends the names of hull_native's columns; others have no unit, but for texts.
 _UNITS = {"kn": "kn", "kN": "kN", "kW": "kW", "m_s": "m/s", "m": "m", "deg": "deg"}
+_OF_THE_OTHER = (
+    *("other hull total [kN]", "difference [kN]", "part [%]"),
+    *("other hull effective power [kW]", "compared with"),
+)
 
 
 def _heading(column):
@@ -192,19 +84,35 @@ def _heading(column):
 
 
 def header(result):
-    return [_heading(column) for column in result.rows[0]]
+    return [*map(_heading, result.rows[0]), *(_OF_THE_OTHER if is_compared(result) else ())]
 
 
 def rows(result):
-    return [list(row.values()) for row in result.rows]
+    own = [list(row.values()) for row in result.rows]
+    if not is_compared(result):
+        return own
+    return [[*cells, *_cells(result.other, row)] for cells, row in zip(own, result.rows)]
+
+
+def is_compared(result):
+    """Whether there are numbers of another hull beside the hull's own."""
+    return result.other is not None and bool(result.other.rows)
+
+
+def _cells(other, row):
+    theirs = other.row_at(row["speed_m_s"])
+    if theirs is None:
+        return [None, None, None, None, other.name]
+    total, power = theirs["total_kN"], theirs["effective_power_kW"]
+    difference = row["total_kN"] - total
+    part = 100.0 * difference / total if total > 0.0 else None
+    return [total, difference, part, power, other.name]
 
 
 def plot(result, name):
-    where = result.given.where
-    at = f"{name}, {NAMES[result.given.method]}, draft {where.draft:.3f} m"
-    if where.trim_m:
-        at += f", trim {where.trim_m:.3f} m by the stern"
-    return native.require().resistance_plot(result.rows, subtitles=[at])
+    at = f"{name}, {NAMES[result.given.method]}, {asked.at(result.given.where)}"
+    others = [(result.other.name, result.other.rows)] if is_compared(result) else []
+    return native.require().resistance_plot(result.rows, subtitles=[at], others=others)
 
 
 def shown(count, most):

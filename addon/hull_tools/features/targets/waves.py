@@ -7,7 +7,7 @@ from ...bridge import limits, native
 from ...bridge.blender import units
 from ..flotation import afloat
 from ..hull import hull_state
-from ..resistance.resistance_curves import KNOT
+from ..resistance.asked import KNOT
 
 
 @dataclass

@@ -28,6 +28,14 @@ class _Known:
     source: object = None
 
 
+def is_chosen(obj):
+    """Whether a hull is compared with something, be that as it may: `of` says what is wrong."""
+    variants = obj.hull.variants
+    if variants.compared_with == "HULL":
+        return variants.other_hull is not None
+    return kept_hulls.chosen(obj) is not None
+
+
 def of(obj, scale):
     """The Other of a hull; scale: metres of Blender's unit. ValueError with the remedy where there
     is none, or it has no surface."""

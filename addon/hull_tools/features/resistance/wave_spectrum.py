@@ -1,0 +1,60 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The free-wave spectrum at one speed: which waves take the resistance."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ...bridge import native
+from . import waves
+
+IS_LIVE = False
+
+inputs = waves.inputs
+
+_DIRECTIONS_DEG = np.linspace(0.0, 85.0, 681)
+
+
+@dataclass(frozen=True, eq=False)
+class Result:
+    """amplitudes: complex (n,), m. resistance: kN, of the waves of all directions."""
+
+    given: waves.Inputs
+    amplitudes: np.ndarray
+    resistance: float
+
+    @property
+    def power(self):
+        """(n,) kN per degree of direction, of both sides."""
+        angles, speed = np.radians(_DIRECTIONS_DEG), self.given.speed
+        square = np.abs(self.amplitudes) ** 2 * np.cos(angles) ** 3
+        return np.radians(np.pi * self.given.where.water_density * speed**2 * square)
+
+
+def compute(ship, given):
+    integral = waves.integral(ship.body, given)
+    amplitudes = integral.amplitudes(given.speed, np.radians(_DIRECTIONS_DEG))
+    ship.tell(1, 2)
+    (found,) = integral.resistance([given.speed])
+    return Result(given, np.asarray(amplitudes), found.resistance)
+
+
+def header(result):
+    return ["direction [deg]", "amplitude [m]", "phase [deg]", "wave resistance [kN/deg]"]
+
+
+def rows(result):
+    found = result.amplitudes
+    columns = _DIRECTIONS_DEG, np.abs(found), np.degrees(np.angle(found)), result.power
+    return np.column_stack(columns).tolist()
+
+
+def plot(result, name):
+    return native.require().wave_spectrum_plot(
+        _DIRECTIONS_DEG,
+        result.power,
+        subtitles=[
+            waves.subtitle(name, result.given),
+            f"wave resistance {result.resistance:.4g} kN",
+        ],
+    )
