@@ -256,6 +256,19 @@ def _with_plates(hull):
         bpy.ops.hull.lay_out_plates()
 
 
+def _with_propeller(hull):
+    """Power by a propeller, beside a variant that is narrower, and one input that is given."""
+    with bpy.context.temp_override(object=hull, active_object=hull):
+        bpy.ops.hull.keep_variant(name="narrow")
+    for vertex in hull.data.vertices:
+        vertex.co.y *= 1.08
+    hull.data.update()
+    own = hull.hull.resistance
+    own.speed_from, own.speed_step = 8.0, 2.0
+    own.propeller_diameter, own.open_water_efficiency, own.shaft_efficiency = 3.6, 0.62, 0.98
+    own.holtrop.entrance_angle_deg = 32.0
+
+
 PANELS = {
     "panels/appendages": PanelShot(hull_panels("appendages"), _with_keel),
     "panels/hull": PanelShot(hull_panels("hull", "check")),
@@ -309,7 +322,9 @@ PANELS = {
         analyses=("weights", "righting_levers"),
     ),
     "panels/resistance": PanelShot(
-        hull_panels("resistance", "resistance_remarks"), analyses=("resistance_curves",)
+        hull_panels("resistance", "resistance_inputs", "resistance_waves", "resistance_remarks"),
+        _with_propeller,
+        analyses=("resistance_curves",),
     ),
     "panels/plots": PanelShot(hull_panels("plots")),
     "panels/lines-plan": PanelShot(hull_panels("lines_plan")),

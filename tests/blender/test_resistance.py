@@ -173,19 +173,36 @@ def test_speeds_without_equilibrium_are_told():
         result_of(hull)
 
 
+def numbers_of(group):
+    return [name for name in group.bl_rna.properties.keys() if name not in ("rna_type", "name")]
+
+
 def test_hull_files_and_variants_keep_the_settings(tmp_path):
     hull, own = planing()
     own.stern, own.twin_screw, own.propeller_diameter, own.chine_beam = "10", True, 0.5, 3.25
+    own.open_water_efficiency, own.shaft_efficiency, own.roughness_um = 0.6, 0.97, 200.0
+    own.thruster_diameter, own.planing_mass_t, own.planing_lcg = 0.4, 12.5, 3.1
+    own.wave_speed_kn = 9.0
+    for group in (own.holtrop, own.delft):
+        for i, name in enumerate(numbers_of(group)):
+            setattr(group, name, 0.25 + 0.05 * i)
     path = str(tmp_path / "boat.hull.json")
     assert bpy.ops.hull.export_hull(filepath=path) == {"FINISHED"}
     assert bpy.ops.hull.import_hull(filepath=path) == {"FINISHED"}
     again = bpy.context.object.hull.resistance
     assert again.id_data is not hull
     for name in own.bl_rna.properties.keys():
-        if name not in ("rna_type", "name"):
+        if name in ("holtrop", "delft"):
+            for each in numbers_of(getattr(own, name)):
+                found, wanted = (getattr(getattr(one, name), each) for one in (again, own))
+                assert found == pytest.approx(wanted, rel=1e-6) and found > 0.2, (name, each)
+        elif name not in ("rna_type", "name"):
             wanted = getattr(own, name)
             is_number = isinstance(wanted, float)
             assert getattr(again, name) == (pytest.approx(wanted) if is_number else wanted), name
+    bpy.ops.hull.keep_variant(name="A")
+    kept = bpy.context.object.hull.variants.kept[0].resistance
+    assert kept.holtrop.bulb_height == again.holtrop.bulb_height > 0.0
 
 
 @pytest.mark.parametrize(

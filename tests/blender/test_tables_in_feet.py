@@ -18,7 +18,8 @@ SIZES = {
     "t": (1.0160469088, "LT"), "t/cm": (1.0160469088 / 2.54, "LT/in"),
     "t m/cm": (1.0160469088 * FOOT / 2.54, "LT ft/in"), "m rad": (FOOT, "ft rad"),
     "m/rad": (FOOT, "ft/rad"), "m/s": (FOOT, "ft/s"), "mm": (25.4, "in"),
-    "kN": (0.0044482216152605, "lbf"), "kW": (0.74569987158227, "hp"),
+    "kN": (0.0044482216152605, "lbf"), "kN/deg": (0.0044482216152605, "lbf/deg"),
+    "kW": (0.74569987158227, "hp"),
 }  # fmt: skip
 TABLES = (
     "hydrostatic_table", "sectional_areas", "bonjean_curves", "righting_levers", "cross_curves",

@@ -1,12 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Resistance and power over speeds."""
 
-from math import radians
-
 import bpy
 
 from ...hull_io.ship_data import DELFT_UNITS, HOLTROP_UNITS
-from ..bridge.blender.units import format_value, in_unit
+from ..bridge.blender.units import in_unit
 from ..bridge.objects import hull_objects
 from ..features.analyses import live_analyses
 from ..features.resistance import resistance_curves
@@ -133,22 +131,43 @@ class HULL_PT_resistance_inputs(HullPanel, bpy.types.Panel):
         outcome = live_analyses.latest(hull, context.scene, "resistance_curves")[0]
         result = outcome.result if outcome else None
         measured = result.measured if result and result.given.method == own.method else {}
-        split = layout.split(factor=0.66)
-        split.label(text="Given, 0: hull's")
-        split.label(text="Hull")
         column = layout.column(align=True)
+        _draw_columns(column, "", "Given", "Hull")
         for place, name, unit in rows:
-            self._draw_input(column, context, own, place, measured.get(name), unit)
+            _draw_input(column, context, own, place, measured.get(name), unit)
+        label_wrapped(layout, context, "0: what the hull has")
 
-    def _draw_input(self, column, context, own, place, value, unit):
-        group, _, name = place.rpartition(".")
-        split = column.split(factor=0.66, align=True)
-        split.prop(getattr(own, group) if group else own, name)
-        right = split.row()
-        right.active = not getattr(getattr(own, group) if group else own, name)
-        if unit == "°" and value is not None:
-            value, unit = radians(value), "deg"
-        right.label(text=format_value(context.scene, value, unit))
+
+def _draw_columns(column, name, given, hull):
+    """Three texts beside one another; returns the layouts of the last two."""
+    split = column.split(factor=0.33, align=True)
+    split.label(text=name)
+    split = split.split(factor=0.52, align=True)
+    places = split.row(align=True), split.row()
+    for place, text in zip(places, (given, hull)):
+        if text:
+            place.label(text=text)
+    return places
+
+
+def _draw_input(column, context, own, place, value, unit):
+    group, _, name = place.rpartition(".")
+    settings = getattr(own, group) if group else own
+    field, right = _draw_columns(column, settings.bl_rna.properties[name].name, "", "")
+    field.prop(settings, name, text="")
+    right.active = not getattr(settings, name)
+    right.label(text=_measured(context.scene, value, unit))
+
+
+def _measured(scene, value, unit):
+    """As the setting beside it is typed: lengths in the scene's unit, others in those that their
+    names have."""
+    if value is None:
+        return "–"
+    if unit == "m":
+        number, symbol = in_unit(scene, value, unit)
+        return f"{number:.2f} {symbol}"
+    return f"{value:.3f}" if abs(value) < 100.0 else f"{value:.1f}"
 
 
 class HULL_PT_resistance_waves(HullPanel, bpy.types.Panel):

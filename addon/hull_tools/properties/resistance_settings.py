@@ -36,7 +36,7 @@ def _input(name, description, greatest, minimum=0.0):
         description=f"{description}; {_FROM_HULL}",
         min=minimum,
         max=greatest,
-        precision=4,
+        precision=2,
         step=10,
         update=changed,
     )
@@ -47,21 +47,19 @@ class HullHoltropInputs(bpy.types.PropertyGroup):
 
     length: _length("Length", "On the waterline")
     beam: _length("Beam", "On the waterline")
-    draft_forward: _length("Draft forward", "At the waterline's forward end, to the base line")
+    draft_forward: _length("Draft fwd", "At the waterline's forward end, to the base line")
     draft_aft: _length("Draft aft", "At the waterline's after end, to the base line")
-    displaced_volume: _input("Volume m³", "Displaced volume in m³", 1e8)
+    displaced_volume: _input("∇ m³", "Displaced volume in m³", 1e8)
     lcb_percent: _input(
         "LCB %", "Forward of the middle of the waterline, in % of its length", 50.0, -50.0
     )
     midship: _input("CM", "Largest section by beam and draft", 1.1)
     waterplane: _input("CWP", "Waterplane by length and beam", 1.1)
-    wetted_surface: _input("Wetted m²", "Wetted surface in m²", 1e6)
-    entrance_angle_deg: _input(
-        "Entrance °", "Half angle of entrance of the waterline, in degrees", 89.0
-    )
+    wetted_surface: _input("S m²", "Wetted surface in m²", 1e6)
+    entrance_angle_deg: _input("iE °", "Half angle of entrance of the waterline, in degrees", 89.0)
     bulb_area: _input("Bulb m²", "Section of the bulb where the water meets the stem, in m²", 1e6)
-    bulb_height: _length("Bulb centre", "Of that section above the keel")
-    transom_area: _input("Transom m²", "Of the transom in the water when at rest, in m²", 1e6)
+    bulb_height: _length("Bulb z", "Centre of that section above the keel")
+    transom_area: _input("AT m²", "Of the transom in the water when at rest, in m²", 1e6)
 
 
 class HullDelftInputs(bpy.types.PropertyGroup):
@@ -70,9 +68,9 @@ class HullDelftInputs(bpy.types.PropertyGroup):
     length: _length("Length", "On the waterline")
     beam: _length("Beam", "On the waterline")
     draft: _length("Draft", "Of the canoe body")
-    volume: _input("Volume m³", "Displaced volume of the canoe body, in m³", 1e8)
-    waterplane_area: _input("Waterplane m²", "Area of the waterplane, in m²", 1e6)
-    wetted_surface: _input("Wetted m²", "Wetted surface of the canoe body, in m²", 1e6)
+    volume: _input("∇ m³", "Displaced volume of the canoe body, in m³", 1e8)
+    waterplane_area: _input("Aw m²", "Area of the waterplane, in m²", 1e6)
+    wetted_surface: _input("S m²", "Wetted surface of the canoe body, in m²", 1e6)
     prismatic: _input("CP", "Prismatic coefficient of the canoe body, on the waterline", 1.1)
     midship: _input("CM", "Largest section by beam and draft", 1.1)
     lcb: _length("LCB", "Centre of buoyancy abaft the waterline's forward end")
