@@ -194,6 +194,62 @@ def test_wave_field_is_wave_heights():
         hn.wave_field(integral, speed, points, y, **how)
 
 
+def test_waves_behind_fill_kelvin_s_wedge():
+    """And are those of the formula for points; waves too short for the cuts are left out."""
+    speed, how = speed_at(0.35), {"gravity": hn.GRAVITY}
+    integral = hn.MichellIntegral(hn.HullBody(wigley(11, 7), mirrored=True), draft=0.0)
+    found = hn.waves_behind(integral, speed, stern=-LENGTH / 2, **how)
+    wave = 2.0 * math.pi * speed**2 / hn.GRAVITY
+    assert found.x[0] == pytest.approx(wave / 2) and found.x[-1] == pytest.approx(3 * LENGTH)
+    points = [[-LENGTH / 2 - found.x[i], found.y[j]] for i, j in ((0, 0), (150, 7), (300, 20))]
+    heights = hn.wave_heights(integral, speed, points, steepest=found.steepest, **how)
+    scale = np.abs(found.heights).max()
+    at = [found.heights[j, i] for i, j in ((0, 0), (150, 7), (300, 20))]
+    np.testing.assert_allclose(at, heights, rtol=0.0, atol=1e-9 * scale)
+    # Of a wave of the steepest direction crests are two spacings from one another across.
+    crests = wave * math.cos(found.steepest) ** 2 / math.sin(found.steepest)
+    assert crests == pytest.approx(2.0 * found.y[1])
+    slope = math.tan(math.radians(19.4712))
+    for x, column in list(zip(found.x, found.heights.T))[100:151:50]:
+        beyond = found.y > 1.3 * slope * (x + LENGTH)
+        assert np.abs(column[beyond]).max() < 0.05 * np.abs(column).max()
+    fast = hn.waves_behind(integral, speed_at(1.0), stern=-LENGTH / 2, **how)
+    assert fast.x[-1] == pytest.approx(6.0 * math.pi * LENGTH)  # three waves
+
+
+def test_resistance_by_direction_sums_up():
+    speed, directions = speed_at(0.3), np.radians(np.linspace(0.0, 86.0, 4301))
+    integral = hn.MichellIntegral(hn.HullBody(wigley(21, 9), mirrored=True), draft=0.0)
+    amplitudes = integral.amplitudes(speed, directions)
+    how = {"speed": speed, "water_density": hn.SEA_WATER_DENSITY}
+    power = hn.resistance_by_direction(amplitudes, directions, **how)
+    total = simpson(power, directions[1])
+    (found,) = integral.resistance([speed])
+    assert total == pytest.approx(found.resistance, rel=1e-3)
+    transverse = simpson(power[:1763], directions[1])  # 35.24°
+    share = hn.transverse_share(np.degrees(directions), power)
+    assert share == pytest.approx(transverse / total, abs=2e-3)
+    plot = hn.wave_spectrum_plot(np.degrees(directions), np.radians(power))
+    assert plot.curve_names == ["Wave resistance"]
+    with pytest.raises(ValueError, match="must rise"):
+        hn.wave_spectrum_plot([1.0, 0.0], [1.0, 1.0])
+    with pytest.raises(ValueError, match="one length"):
+        hn.wave_spectrum_plot([1.0, 2.0], [1.0])
+
+
+def test_plot_of_a_pattern():
+    x, y = np.linspace(10.0, 50.0, 5), np.array([0.0, 4.0])
+    heights = np.array([[0.0, 0.3, 0.0, -0.3, 0.0], [0.1, 0.0, -0.1, 0.0, 0.1]])
+    plot = hn.wave_pattern_plot(x, y, heights)
+    assert len(plot.curve_names) == 3  # the track once, the cut beside it to both sides
+    # 0.3 m reach over three cuts of 4 m at most: 40 times, and 20 is the round number below.
+    assert plot.subtitles == ["heights 20 times as large"]
+    assert hn.lay_out_plot(plot, width_mm=150.0, height_mm=100.0).strokes
+    assert hn.wave_pattern_plot(x, y, 0.0 * heights)
+    with pytest.raises(ValueError, match="shape"):
+        hn.wave_pattern_plot(x, y, heights.T)
+
+
 def test_ends_make_the_phase():
     """Moved along, a hull's amplitudes turn as its waves do."""
     speed, angle = speed_at(0.3), 0.4

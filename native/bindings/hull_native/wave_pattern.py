@@ -2,6 +2,7 @@
 """The waves far behind a thin ship, from her free-wave spectrum."""
 
 import math
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -10,6 +11,12 @@ _NODES, _TURN = 16, 12.0
 _STEEPEST = math.radians(89.0)
 _MOST_NODES = 200_000
 _BATCH = 256  # points at once
+
+# Of waves_behind(): points of a cut, cuts, how far they reach in ship lengths (or waves, where
+# these are longer), the tangent of half of Kelvin's wedge, and the steepest waves.
+_POINTS, _CUTS, _LENGTHS = 301, 31, 3.0
+_KELVIN = 1.0 / math.sqrt(8.0)
+_STEEPEST_BEHIND = math.radians(80.0)
 
 
 def wave_heights(integral, speed, points, *, gravity, steepest=math.radians(80.0)):
@@ -49,6 +56,43 @@ def wave_field(integral, speed, x, y, *, gravity, steepest=math.radians(80.0)):
         sides = 2.0 * np.cos(np.outer(y, across[part])) * factors[part]
         heights += (sides @ np.exp(-1j * np.outer(along[part], x))).real
     return heights
+
+
+@dataclass(frozen=True, eq=False)
+class WavesBehind:
+    """Cuts along a ship's track. x (n,): abaft the stern; y (m,): from the track to either side;
+    heights (m, n), all m. steepest: direction of waves in rad up to which they are taken."""
+
+    x: np.ndarray
+    y: np.ndarray
+    heights: np.ndarray
+    steepest: float
+
+
+def waves_behind(integral, speed, *, stern, gravity):
+    """WavesBehind over the wedge that free waves fill, from half a wave abaft the stern, whose x in
+    the ship's axes is `stern` (m): nearer the water is not that of free waves.
+
+    Waves that are less than two spacings of the cuts long across the track are left out: they would
+    be seen as longer ones that are not there. ValueError as wave_heights().
+    """
+    wave = 2.0 * math.pi * speed**2 / gravity  # the longest one's length
+    reach = _LENGTHS * max(integral.length, wave)
+    x = np.linspace(0.5 * wave, reach, _POINTS)
+    y = np.linspace(0.0, _KELVIN * (reach + integral.length), _CUTS)
+    # Across the track a wave of direction θ is as long as the longest one by cos²θ / sin θ.
+    ratio = 2.0 * y[1] / wave if wave > 0.0 else math.inf
+    steepest = min(math.asin(0.5 * (math.hypot(ratio, 2.0) - ratio)), _STEEPEST_BEHIND)
+    heights = wave_field(integral, speed, stern - x, y, gravity=gravity, steepest=steepest)
+    return WavesBehind(x, y, heights, steepest)
+
+
+def resistance_by_direction(amplitudes, directions, *, speed, water_density):
+    """(n,) kN/rad that the waves of directions (n,) in rad, to both sides, take; amplitudes
+    (n,): of MichellIntegral.amplitudes(). Over 0 to π/2 it sums up to the wave resistance (Eggers,
+    Sharma & Ward 1967). water_density in t/m³."""
+    square = np.abs(np.asarray(amplitudes)) ** 2 * np.cos(np.asarray(directions)) ** 3
+    return math.pi * water_density * speed**2 * square
 
 
 def _waves(integral, speed, reach, gravity, steepest):

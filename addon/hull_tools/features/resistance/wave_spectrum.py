@@ -26,9 +26,13 @@ class Result:
     @property
     def power(self):
         """(n,) kN per degree of direction, of both sides."""
-        angles, speed = np.radians(_DIRECTIONS_DEG), self.given.speed
-        square = np.abs(self.amplitudes) ** 2 * np.cos(angles) ** 3
-        return np.radians(np.pi * self.given.where.water_density * speed**2 * square)
+        found = native.require().resistance_by_direction(
+            self.amplitudes,
+            np.radians(_DIRECTIONS_DEG),
+            speed=self.given.speed,
+            water_density=self.given.where.water_density,
+        )
+        return np.radians(found)
 
 
 def compute(ship, given):
