@@ -183,7 +183,9 @@ class HULL_PT_resistance_waves(HullPanel, bpy.types.Panel):
         for name in ("wave_pattern", "wave_spectrum"):
             layout.prop(hull.hull.plots, name)
             if getattr(hull.hull.plots, name):
-                latest_result(layout, context, name, "Behind the hull")
+                outcome = live_analyses.latest(hull, context.scene, name)[0]
+                if outcome and outcome.message:
+                    label_wrapped(layout, context, outcome.message, icon="INFO")
             export_buttons(layout, name)
 
 

@@ -70,7 +70,7 @@ def wave_spectrum_plot(directions_deg, power, *, title="Free-wave spectrum", sub
         raise ValueError("directions_deg must rise.")
     plot = Plot(title, list(subtitles))
     plot.add_x_axis("Direction of the waves from the ship's", "°", range=(0.0, 90.0))
-    plot.set_y_axis("Wave resistance by direction", "kN/°", from_zero=True)
+    plot.set_y_axis("Resistance", "kN/°", from_zero=True)
     curve = plot.add_curve("Wave resistance", angles, power)
     share = transverse_share(angles, power)
     plot.add_area(curve, float(angles[0]), _CUSP_DEG, f"transverse waves {100.0 * share:.0f} %")

@@ -14,7 +14,7 @@ _BATCH = 256  # points at once
 
 # Of waves_behind(): points of a cut, cuts, how far they reach in ship lengths (or waves, where
 # these are longer), the tangent of half of Kelvin's wedge, and the steepest waves.
-_POINTS, _CUTS, _LENGTHS = 301, 31, 3.0
+_POINTS, _CUTS, _LENGTHS = 301, 21, 3.0
 _KELVIN = 1.0 / math.sqrt(8.0)
 _STEEPEST_BEHIND = math.radians(80.0)
 

@@ -222,6 +222,29 @@ def test_what_belongs_to_the_hull_follows():
     assert data.load.mass_t == 1000.0  # the hull given stays
 
 
+def test_inputs_of_the_resistance_follow_where_they_are_dimensional():
+    """Those that are not given stay so, also where heights are shifted."""
+    data = sample("coaster")
+    own = data.resistance
+    own.thruster_diameter, own.planing_mass_t, own.planing_lcg = 1.0, 5.0, 3.0
+    own.holtrop = hull_io.HoltropInputs(
+        length=80.0, beam=12.0, draft_aft=5.0, displaced_volume=10.0, midship=0.9,
+        wetted_surface=100.0, bulb_area=2.0, entrance_angle_deg=20.0,
+    )  # fmt: skip
+    own.delft = hull_io.DelftInputs(waterplane_area=50.0, lcb=4.0, prismatic=0.5)
+    made = scaling.follow(data, scaling.Scale((2.0, 3.0, 4.0), (0.0, 0.0, 1.0))).resistance
+    assert (made.thruster_diameter, made.planing_mass_t, made.planing_lcg) == (4.0, 120.0, 6.0)
+    surface = made.holtrop.wetted_surface
+    assert surface == pytest.approx(100.0 * 24.0 ** (2.0 / 3.0), rel=1e-14)
+    assert made.holtrop == hull_io.HoltropInputs(
+        length=160.0, beam=36.0, draft_aft=21.0, displaced_volume=240.0, midship=0.9,
+        wetted_surface=surface, bulb_area=24.0, entrance_angle_deg=20.0,
+    )  # fmt: skip
+    assert made.delft == hull_io.DelftInputs(waterplane_area=300.0, lcb=8.0, prismatic=0.5)
+    # Of a hull that keeps its proportions a wetted surface grows as any area does.
+    assert scaling.Scale((2.0, 2.0, 2.0)).surface(3.0) == pytest.approx(12.0)
+
+
 def test_a_shift_moves_places_and_leaves_lengths():
     scale = scaling.Scale((2.0, 1.0, 1.0), (3.0, 0.0, 0.0))
     assert scale.listed(0, "1 2:6:2") == "5 7:15:4"
