@@ -17,7 +17,7 @@ DOCS = ROOT / "docs"
 PAGES = sorted(DOCS.rglob("*.md"))
 PANEL_PAGES = sorted((DOCS / "panels").glob("*.md"))
 # Pages where what is slanted is what the add-on has on its buttons and fields.
-LABELLED = [*PANEL_PAGES, DOCS / "first-hull.md"]
+LABELLED = [*PANEL_PAGES, DOCS / "first-hull.md", DOCS / "coming-from.md"]
 # Pages of panels whose file has another name than the panel.
 PAGE_OF = {"check": "hull", "tags": "edges-and-points", "lines_plan": "lines-plan",
            "panel_mesh": "panels"}  # fmt: skip

@@ -1,0 +1,235 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""docs/coming-from.md: every command of FREE!ship's menus is on it; what it sends one to stands in
+the panels and in the mode that it says, and can be called there; and Blender's own tools that it
+names leave a hull that follows."""
+
+import re
+from types import SimpleNamespace
+
+import bmesh
+import bpy
+import pytest
+from addon_under_test import add_hull, make_active, part, sample, state_of
+from edited_hulls import edit
+from freeship_commands import COMMANDS
+from test_docs import DOCS, LabelNotebook, page_of
+from test_panels import Drawn, context
+
+PAGE = DOCS / "coming-from.md"
+SLANTED = re.compile(r"(?<![\w*])\*([^*\n]+?)\*(?![\w*])")
+EDIT, OBJECT = "EDIT", "OBJECT"
+HALF_LENGTH = 42.0  # of the coaster
+
+
+class ButtonNotebook(LabelNotebook):
+    """Notes pairs (label, operator's name or "")."""
+
+    def _part(self, *unused, **more_unused):
+        return ButtonNotebook(self.noted)
+
+    row = column = split = box = grid_flow = _part
+
+    def prop(self, data, name, text=None, **unused):
+        if text != "":
+            self.noted.append((text or data.bl_rna.properties[name].name, ""))
+
+    def operator(self, idname, text=None, **unused):
+        if idname.startswith("hull."):
+            name = getattr(bpy.ops.hull, idname.split(".")[1]).get_rna_type().name
+            self.noted.append((text or name, idname.split(".")[1]))
+        return SimpleNamespace()
+
+
+def rows():
+    """(what is there, what is here) of each row of the page's tables."""
+    cells = [
+        line.strip("|").split(" | ") for line in PAGE.read_text().splitlines() if line[:1] == "|"
+    ]
+    return [tuple(cell) for cell in cells if len(cell) == 2 and cell[0].strip() != "there"]
+
+
+def labels_of(cell):
+    return [label.lower() for label in SLANTED.findall(cell.replace("**", "§"))]
+
+
+def buttons():
+    """What the panels have now: {page: {label: operator's name or ""}}."""
+    found = {}
+    for cls in part("panels")._CLASSES:
+        if getattr(cls, "bl_category", "") != "Hull":
+            continue
+        is_elsewhere = getattr(cls, "bl_context", "") == "mesh_edit" and mode_now() != EDIT
+        if is_elsewhere or hasattr(cls, "poll") and not cls.poll(context()):
+            continue
+        drawn = Drawn(cls)
+        drawn.layout = ButtonNotebook()
+        drawn.draw(context())
+        noted = found.setdefault(page_of(cls), {})
+        noted.update({label.lower(): name for label, name in drawn.layout.noted})
+    return found
+
+
+def mode_now():
+    return bpy.context.object.mode
+
+
+def mode_of(cell):
+    return EDIT if ", edit" in cell or "(edit" in cell else OBJECT
+
+
+def in_both_modes():
+    """{mode: buttons()} of a sample hull with points, edges and faces selected in edit mode."""
+    hull = sample("coaster")
+    found = {OBJECT: buttons()}
+    edit(hull)
+    bpy.ops.mesh.select_all(action="SELECT")
+    found[EDIT] = buttons()
+    bpy.ops.object.mode_set(mode="OBJECT")
+    return found
+
+
+def test_every_command_of_freeship_is_on_the_page():
+    said = " ".join(there for there, _ in rows()).lower()
+    missing = [caption for captions in COMMANDS.values() for caption in captions
+               if caption.lower() not in said]  # fmt: skip
+    assert not missing and sum(map(len, COMMANDS.values())) > 120
+
+
+def test_what_rows_name_is_on_the_pages_that_they_lead_to():
+    for there, here in rows():
+        pages = re.findall(r"\]\((?:panels/)?([\w-]+\.md)", here)
+        texts = [DOCS / "panels" / name for name in pages] + [DOCS / name for name in pages]
+        said = " ".join(path.read_text() for path in texts if path.exists()).lower()
+        lost = [label for label in labels_of(here) if pages and f"*{label}*" not in said]
+        assert not lost, f"{there}: {lost} not in {pages}"
+
+
+def test_buttons_stand_in_the_panels_and_the_mode_that_rows_tell():
+    found, faults, called = in_both_modes(), [], 0
+    for there, here in rows():
+        mode = mode_of(here)
+        pages = re.findall(r"\(panels/([\w-]+)\.md", here)
+        for label in labels_of(here):
+            has = {m: [p for p in pages if label in found[m].get(p, {})] for m in found}
+            if any(has.values()):
+                called += 1
+                if not has[mode]:
+                    faults.append(f"{there}: {label} is not there in {mode}")
+    assert not faults, "\n".join(faults)
+    assert called > 60
+
+
+@pytest.mark.parametrize("mode", [OBJECT, EDIT])
+def test_buttons_that_rows_name_can_be_pressed(mode):
+    known = in_both_modes()[mode]
+    hull = bpy.context.object
+    if mode == EDIT:
+        edit(hull)
+        bpy.ops.mesh.select_all(action="SELECT")
+    names = {label for _, here in rows() if mode_of(here) == mode for label in labels_of(here)}
+    pressed = {name for page in known.values() for label, name in page.items()
+               if name and label in names}  # fmt: skip
+    assert len(pressed) > 20
+    refused = {name for name in pressed if not getattr(bpy.ops.hull, name).poll()}
+    # These need curves, and targets.
+    assert refused <= {"curves_to_network", "solve_targets"}
+
+
+def middle_edge(hull):
+    """(BMesh, the edge between smooth points of four edges that is nearest to amidships)."""
+    bm = bmesh.from_edit_mesh(hull.data)
+    inner = [edge for edge in bm.edges if all(len(point.link_edges) == 4 for point in edge.verts)]
+    return bm, min(inner, key=lambda edge: sum(abs(p.co.x - HALF_LENGTH) for p in edge.verts))
+
+
+def collapsed(hull):
+    bm, edge = middle_edge(hull)
+    edge.select_set(True)
+    bpy.ops.mesh.dissolve_edges(use_verts=False)
+
+
+def coincided(hull):
+    bm, edge = middle_edge(hull)
+    for vertex in edge.verts:
+        vertex.select_set(True)
+        bm.select_history.add(vertex)
+    bpy.ops.mesh.merge(type="FIRST")
+
+
+def split(hull):
+    bm, edge = middle_edge(hull)
+    edge.select_set(True)
+    bpy.ops.mesh.subdivide(number_cuts=1)
+
+
+def bisected(hull):
+    bpy.ops.mesh.select_all(action="SELECT")
+    bpy.ops.mesh.bisect(plane_co=(HALF_LENGTH + 1.0, 0.0, 0.0), plane_no=(1.0, 0.0, 0.0))
+
+
+def extruded(hull):
+    """A bulwark: the borders beside the centre plane upwards."""
+    bm = bmesh.from_edit_mesh(hull.data)
+    for edge in bm.edges:
+        if edge.is_boundary and max(point.co.y for point in edge.verts) > 0.1:
+            edge.select_set(True)
+    bpy.ops.mesh.extrude_region_move(TRANSFORM_OT_translate={"value": (0.0, 0.0, 1.0)})
+
+
+def cleaned(hull):
+    bm = bmesh.from_edit_mesh(hull.data)
+    before = len(bm.verts)
+    bm.verts.new((1.0, 1.0, 1.0))
+    bpy.ops.mesh.select_all(action="SELECT")
+    bpy.ops.mesh.delete_loose()
+    assert len(bmesh.from_edit_mesh(hull.data).verts) == before
+
+
+def linked(hull):
+    """Faces within knuckles that are marked as seams, as Auto group has them."""
+    bpy.ops.mesh.select_mode(type="EDGE")
+    bpy.ops.hull.select_creases(kind="KNUCKLE")
+    bpy.ops.mesh.mark_seam()
+    bpy.ops.mesh.select_mode(type="FACE")
+    bpy.ops.mesh.select_all(action="DESELECT")
+    faces = bmesh.from_edit_mesh(hull.data).faces
+    faces.ensure_lookup_table()
+    faces[0].select_set(True)
+    bpy.ops.mesh.select_linked(delimit={"SEAM"})
+    bpy.ops.hull.new_layer(name="Group")
+
+
+OF_BLENDER = (collapsed, coincided, split, bisected, extruded, cleaned, linked)
+
+
+@pytest.mark.parametrize("tool", OF_BLENDER, ids=lambda tool: tool.__name__)
+def test_tools_of_blender_that_are_named_leave_a_hull(tool):
+    hull = sample("coaster")
+    edit(hull)
+    tool(hull)
+    bpy.context.view_layer.update()
+    bpy.ops.object.mode_set(mode="OBJECT")
+    bpy.context.view_layer.update()
+    state = state_of(hull)
+    assert not state.status and not state.ship.check.errors
+    assert state.hydrostatics.values.displaced_volume > 0.0
+
+
+def test_two_control_meshes_are_joined():
+    one, other = add_hull("one"), add_hull("other")
+    other.location.x = 20.0
+    make_active(one)
+    other.select_set(True)
+    assert bpy.ops.object.join() == {"FINISHED"}
+    bpy.context.view_layer.update()
+    assert state_of(one).ship.check.face_count == 8
+
+
+def test_the_control_points_are_written_as_coordinates(tmp_path):
+    hull = sample("coaster")
+    path = tmp_path / "points.obj"
+    export = bpy.ops.wm.obj_export
+    export(filepath=str(path), export_selected_objects=True, apply_modifiers=False,
+           export_materials=False)  # fmt: skip
+    text = path.read_text().splitlines()
+    assert sum(line.startswith("v ") for line in text) >= len(hull.data.vertices)
