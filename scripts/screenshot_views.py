@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 import bmesh
 import bpy
+import export_scenes
 import field_scenes
 import network_scenes
 import numpy as np
@@ -394,6 +395,7 @@ def _appendages(window):
 VIEWS = {
     "appendages": View(_appendages, hull_panels("appendages", "hydrostatics")),
     "dimensions": View(_scaled, hull_panels("hull")),
+    "export": View(export_scenes.worst_spot, hull_panels("export", "patches")),
     "fields": View(_fields, hull_panels("fields")),
     "fair-rows": View(_rows, hull_panels("fair", "fair_rows")),
     "first-hull/added": View(_added, hull_panels("hull", "surface")),
