@@ -34,7 +34,7 @@ COMMANDS = {
         "Control net", "Control curves", "Interior edges", "Show both sides", "Grid",
         "Add grid panel", "Stations", "Buttocks", "Waterlines", "Diagonals",
         "Hydrostatic features", "Add flow line", "Flowlines", "Normals", "Curvature",
-        "Incr., Decr. curvature scale", "Markers", "Split Section location",
+        "Incr. curvature scale", "Decr. curvature scale", "Markers", "Split Section location",
         "Split Section middle location", "Precision", "font size",
     ),
     "Tools": (
@@ -43,10 +43,11 @@ COMMANDS = {
     ),
     "Transform": ("Scale", "Move", "Rotate", "Mirror", "Lackenby", "Heeling and/or trimming"),
     "Calculations": (
-        "Design hydrostatics", "Hydrostatics", "Cross curves", "Design of propellers",
+        "Design hydrostatics", "Hydrostatics", "Cross curves and SSD", "Design of propellers",
         "Maneuverability ship tasks", "Hydro and aerodynamics characteristics", "Seakeeping",
         "Delft yacht series", "KAPER", "Holtrop", "Hollenbach", "Fung-Leibman", "van Oortmerssen",
-        "Multihull", "OST", "OCT 5.0181-75", "planing ships", "round bilge high-speed ships",
+        "Multihull", "OST", "OCT 5.0181-75", "pre-planing and planing ships",
+        "round bilge high-speed ships",
     ),
     "Window": ("New window", "Tile", "Cascade"),
     "Help": ("Help", "Check for updates"),

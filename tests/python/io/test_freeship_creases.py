@@ -83,7 +83,7 @@ def below(triangle, height):
     return kept
 
 
-def test_seven_points_at_the_stem_are_tagged_without_a_crease(model):
+def test_seven_points_of_the_keel_are_tagged_without_a_crease(model):
     data, drawn = model
     assert len(drawn) == 7
     assert (data.points[drawn, 0] > 105.0).all()
