@@ -216,7 +216,7 @@ void bind_appendages(py::module_& module) {
       .def(
           "mean_slope",
           [](const SectionForm& form, double x) { return form.mean_slope(on_chord(x)); },
-          py::arg("x"), "dy/dx of the mean line at x; where it is infinite, that 1e-4 beside it.")
+          py::arg("x"), "dy/dx of the mean line at x; where it is infinite, that 1e-15 beside it.")
       .def(
           "point",
           [](const SectionForm& form, double x, bool lower) {

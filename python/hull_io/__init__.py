@@ -7,6 +7,7 @@ Start at `read_hull`, which finds out what a file is, and `HullData`, which it r
 from .area_tables import read_area_table
 from .errors import HullFileError
 from .freeship_writing import write_freeship
+from .hull_curves import ControlCurve
 from .hull_data import (
     LINE_KINDS,
     CutPlane,
@@ -58,6 +59,7 @@ __all__ = [
     "Appendage",
     "AreaPoint",
     "AreaTarget",
+    "ControlCurve",
     "CutPlane",
     "DelftInputs",
     "FieldEnd",

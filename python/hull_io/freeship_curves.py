@@ -23,14 +23,15 @@ def row_edges(curves, faces, notes):
 
 
 def control_curves(data):
-    """Lists of points for the rows of a HullData that are shown, that of a closed one with its
-    first point again at its end. Each edge is in one. A row goes on straight, and where only two
-    end at a point that is no corner they are one."""
+    """Lists of points for the rows of a HullData that are shown and for its control curves, that of
+    a closed one with its first point again at its end. Each edge is in one. A row goes on straight,
+    and where only two end at a point that is no corner they are one."""
     sizes = [len(face) for face in data.faces]
     vertices = [point for face in data.faces for point in face]
     net = RowNet(_Net(sizes, vertices, data.creases, data.corners))
     open_ones, closed = [], []
-    for row in net.rows_of(data.shown_rows, are_whole=False):
+    edges = {*data.shown_rows, *(edge for curve in data.curves for edge in curve.edges)}
+    for row in net.rows_of(edges, are_whole=False):
         points = row.points.tolist()
         if row.is_closed:
             closed.append(points + points[:1])

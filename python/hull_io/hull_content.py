@@ -4,6 +4,7 @@
 import numpy as np
 
 from . import (
+    hull_curves,
     hull_developables,
     hull_flats,
     hull_lines,
@@ -30,6 +31,7 @@ OPTIONAL = (
     "scheme",
     "deck_edge",
     "shown_rows",
+    hull_curves.KEY,
     hull_flats.KEY,
     hull_developables.KEY,
     *hull_points.KEYS,
@@ -64,6 +66,7 @@ def parsed(check, content, name):
         scheme=_scheme(check, content.get("scheme", SCHEMES[0])),
         deck_edge=_edges(check, content, "deck_edge", faces, len(points)),
         shown_rows=_edges(check, content, "shown_rows", faces, len(points)),
+        curves=hull_curves.parsed(check, content, faces, len(points)),
         flats=hull_flats.parsed(check, content, len(faces)),
         developables=hull_developables.parsed(check, content, len(faces)),
         **hull_points.parsed(check, content, len(points)),
@@ -198,6 +201,7 @@ def entries(data):
         "scheme": data.scheme,
         "deck_edge": [[int(a), int(b)] for a, b in data.deck_edge],
         **_rows_entry(data),
+        **hull_curves.entries(data),
         **hull_flats.entries(data),
         **hull_developables.entries(data),
         **hull_points.entries(data),

@@ -185,15 +185,15 @@ class HullData:
     points: float64 (n, 3). faces: lists of point indices, each of 3 or more distinct points.
     creases: pairs (a, b), a < b, each an edge of some face. corners: point indices. face_layers:
     one index into layers per face. scheme: "biermann" or "catmull_clark". deck_edge: pairs as
-    creases, the edges that are marked so; shown_rows: those of rows that are shown. flats: Flat,
-    developables: Developable, no face in two of either. locked: point indices that tools do not
-    move; kept: those that they move in a plane only; ties: Tie, one a point; groups: PointGroup.
-    lines: a LineChoice, None where the file does not say. targets: wanted.Targets; area_target: a
-    wanted.AreaTarget, None without one. fields: ShapeField. appendages: Appendage. plating: a
-    plating_data.Plating, None where nothing is said of plates. variants: Variant, whose hulls have
-    no variants, targets, fields, appendages or plating of their own. units: the file's own unit of
-    length, "m" or "ft". source: where the hull comes from. notes: what the reader had to mend, one
-    sentence each, for the user.
+    creases, the edges that are marked so; shown_rows: those of rows that are shown, with those of
+    curves: ControlCurve. flats: Flat, developables: Developable, no face in two of either. locked:
+    point indices that tools do not move; kept: those that they move in a plane only; ties: Tie, one
+    a point; groups: PointGroup. lines: a LineChoice, None where the file does not say. targets:
+    wanted.Targets; area_target: a wanted.AreaTarget, None without one. fields: ShapeField.
+    appendages: Appendage. plating: a plating_data.Plating, None where nothing is said of plates.
+    variants: Variant, whose hulls have no variants, targets, fields, appendages or plating of their
+    own. units: the file's own unit of length, "m" or "ft". source: where the hull comes from.
+    notes: what the reader had to mend, one sentence each, for the user.
     """
 
     name: str
@@ -208,6 +208,7 @@ class HullData:
     scheme: str = "biermann"
     deck_edge: list = field(default_factory=list)
     shown_rows: list = field(default_factory=list)
+    curves: list = field(default_factory=list)
     flats: list = field(default_factory=list)
     developables: list = field(default_factory=list)
     locked: list = field(default_factory=list)

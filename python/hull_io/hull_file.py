@@ -9,6 +9,7 @@
      "face_layers": [layer, ...],
      "scheme": "biermann" or "catmull_clark", "deck_edge": [[point, point], ...],
      "shown_rows": [[point, point], ...],
+     "curves" as hull_curves,
      "flats": [{"faces": [face, ...], "normal": [x, y, z], "offset": m}, ...],
      "developables" as hull_developables,
      "locked" and "kept" as hull_points, "ties" and "groups" as hull_ties, "lines" as hull_lines

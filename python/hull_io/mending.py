@@ -37,6 +37,8 @@ def part_shell(data):
     data.creases = made.carried_edges(data.creases)
     data.deck_edge = made.carried_edges(data.deck_edge)
     data.shown_rows = made.carried_edges(data.shown_rows)
+    for curve in data.curves:
+        curve.edges = made.carried_edges(curve.edges)
     data.corners = made.carried_points(data.corners)
     data.locked = made.carried_points(data.locked)
     for name in KEPT_IN:

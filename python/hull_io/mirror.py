@@ -71,6 +71,8 @@ def mirror_faces(data, face_indices):
     of_other_side = [tie for tie in data.ties if image.get(tie.point, tie.point) != tie.point]
     data.ties += renumbered(of_other_side, image, reflect=True)
     data.creases, data.shown_rows = sorted(creases), sorted(rows)
+    for curve in data.curves:
+        curve.with_images(image)
     data.points = np.vstack([data.points, np.array(new_points).reshape(-1, 3)])
 
 
@@ -87,5 +89,7 @@ def _without(data, left_out, face_indices):
     edges = {edge_key(a, b) for face in data.faces for a, b in face_edges(face)}
     data.creases = [pair for pair in data.creases if edge_key(*pair) in edges]
     data.shown_rows = [pair for pair in data.shown_rows if edge_key(*pair) in edges]
+    for curve in data.curves:
+        curve.within(edges)
     number = {old: new for new, old in enumerate(kept)}
     return [number[index] for index in face_indices if index in number]

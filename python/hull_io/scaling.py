@@ -109,10 +109,11 @@ STAYING = frozenset(
     resistance.shaft_efficiency resistance.roughness_um resistance.wave_speed_kn
     resistance.holtrop.lcb_percent resistance.holtrop.midship resistance.holtrop.waterplane
     resistance.holtrop.entrance_angle_deg resistance.delft.prismatic resistance.delft.midship
-    particulars.water_density scheme deck_edge shown_rows flats.faces flats.offset
-    developables.faces developables.warp developables.distance developables.keep locked
-    kept.stations kept.buttocks kept.waterlines ties.kind ties.point ties.to ties.share groups.name
-    groups.points afloat.heel_deg afloat.deck_closed load.free_trim load.kg_is_guess
+    particulars.water_density scheme deck_edge shown_rows curves.name curves.shown curves.edges
+    flats.faces flats.offset developables.faces developables.warp developables.distance
+    developables.keep locked kept.stations kept.buttocks kept.waterlines ties.kind ties.point
+    ties.to ties.share groups.name groups.points afloat.heel_deg afloat.deck_closed load.free_trim
+    load.kg_is_guess
     load_cases.name openings.name wind.hull_profile wind.areas.name wind.pressure wind.sharp_bilges
     wind.roll_period lines.shown lines.station_count lines.stations_in lines.planes.name
     lines.planes.shown targets.rows.quantity targets.rows.value targets.rows.sense

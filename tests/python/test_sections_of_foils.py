@@ -144,7 +144,26 @@ def test_splines_follow_the_outline(name):
 
 
 @pytest.mark.parametrize(
-    "name", ["", "12", "0000", "0a12", "2012", "26012", "66-012", "63-112", "x"]
+    "name",
+    [
+        "",
+        "12",
+        "0000",
+        "0a12",
+        "2012",
+        "26112x",
+        "21112",
+        "23212",
+        "66-012",
+        "63-1",
+        "63-400",
+        "0012-04",
+        "0012-67",
+        "63-412 a=1.2",
+        "63-412 a",
+        "64A0100",
+        "x",
+    ],
 )
 def test_unknown_names(name):
     with pytest.raises(ValueError, match="is no section that is known"):

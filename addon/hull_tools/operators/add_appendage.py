@@ -47,7 +47,7 @@ class HULL_OT_add_appendage(bpy.types.Operator, BaseOperator):
     )
     section: StringProperty(
         name="Section",
-        description="NACA section: 0012, 2412, 23012, 63-012, 64-012, 65-012 and other thicknesses",
+        description=appendage_kinds.SECTIONS,
         options={"SKIP_SAVE"},
     )
     x: asked_length("x", "Forward of the after perpendicular: of the leading edge, axis or start")

@@ -151,13 +151,8 @@ class HULL_OT_show_rows(bpy.types.Operator, EditModeOperator):
         self.report({"INFO"}, f"{counted(count, 'row')} shown")
 
 
-class HULL_OT_fair_row(bpy.types.Operator, EditModeOperator):
-    """Move the selected points of a row so that the curve through the row is as smooth as can be,
-    within a mean deviation. With a single edge all of its row moves. Locked points stay, flats stay
-    flat"""
-
-    bl_idname = "hull.fair_row"
-    bl_label = "Fair Row"
+class FairRow(EditModeOperator):
+    """Smooths the rows of what is selected."""
 
     deviation_mm: _deviation("the points move that may move")
     keep_ends: BoolProperty(
@@ -171,6 +166,15 @@ class HULL_OT_fair_row(bpy.types.Operator, EditModeOperator):
         report = row_fairing.fair_rows(hull, context.scene, asked)
         text = row_fairing.summary(report)
         self.report({"WARNING" if report.has_more_marks else "INFO"}, text)
+
+
+class HULL_OT_fair_row(bpy.types.Operator, FairRow):
+    """Move the selected points of a row so that the curve through the row is as smooth as can be,
+    within a mean deviation. With a single edge all of its row moves. Locked points stay, flats stay
+    flat"""
+
+    bl_idname = "hull.fair_row"
+    bl_label = "Fair Row"
 
 
 CLASSES = (HULL_OT_fair_region, HULL_OT_fair_curvature, HULL_OT_show_rows, HULL_OT_fair_row)

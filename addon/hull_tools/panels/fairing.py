@@ -7,7 +7,7 @@ from ..bridge.objects import hull_objects
 from ..features.fairing import region_fairing, row_fairing
 from ..features.hull import hull_state
 from .conversion import draw_task
-from .shared import HullPanel, label_value, label_wrapped
+from .shared import HullPanel, draw_entries, label_value, label_wrapped
 
 
 class HULL_PT_fair(HullPanel, bpy.types.Panel):
@@ -26,6 +26,12 @@ class HULL_PT_fair(HullPanel, bpy.types.Panel):
             column.operator("hull.fair_region", icon="MOD_SMOOTH")
             column.operator("hull.fair_curvature", icon="SMOOTHCURVE")
         _draw_report(layout, context, region_fairing, hull)
+
+
+class HULL_UL_curves(bpy.types.UIList):
+    def draw_item(self, context, layout, data, item, icon, active_data, active_property, index):
+        layout.prop(item, "is_shown", text="")
+        layout.prop(item, "name", text="", emboss=False)
 
 
 class HULL_PT_fair_rows(HullPanel, bpy.types.Panel):
@@ -71,4 +77,23 @@ def _draw_report(layout, context, subject, hull):
         label_value(column, name, value)
 
 
-CLASSES = (HULL_PT_fair, HULL_PT_fair_rows)
+class HULL_PT_control_curves(HullPanel, bpy.types.Panel):
+    """Chains of edges with a name, a comb and smoothing of their own"""
+
+    bl_label = "Control Curves"
+    bl_parent_id = "HULL_PT_fair"
+    bl_options = {"DEFAULT_CLOSED"}
+
+    def draw(self, context):
+        layout = self.layout
+        hull = hull_objects.hull_of(context.object)
+        chosen = draw_entries(layout, hull.hull.fairness, "curves", "active_curve", "curve")
+        if context.object.mode != "EDIT":
+            label_wrapped(layout, context, "In edit mode: select edges of a curve", icon="INFO")
+        elif chosen is not None:
+            column = layout.column(align=True)
+            column.operator("hull.select_curve", text="Select", icon="RESTRICT_SELECT_OFF")
+            column.operator("hull.fair_curve", text="Fair", icon="IPO_EASE_IN_OUT")
+
+
+CLASSES = (HULL_PT_fair, HULL_PT_fair_rows, HULL_UL_curves, HULL_PT_control_curves)

@@ -5,7 +5,7 @@ unused."""
 import bpy
 from bpy.props import BoolProperty, EnumProperty, FloatProperty, StringProperty
 
-from ..features.hull import appendage_meshes
+from ..features.hull import appendage_kinds, appendage_meshes
 from .shared import length
 
 
@@ -66,8 +66,7 @@ class HullAppendage(bpy.types.PropertyGroup):
     )
     section: StringProperty(
         name="Section",
-        description="NACA section: four digits (0012, 2412), five (23012), or 63-0, 64-0, 65-0 "
-        "with two digits of thickness (63-012)",
+        description=appendage_kinds.SECTIONS,
         default="0012",
         update=_changed,
     )

@@ -45,6 +45,14 @@ class HullAcceptedMark(bpy.types.PropertyGroup):
     point: FloatVectorProperty(name="Place", description="Where it is", subtype="XYZ")
 
 
+class HullControlCurve(bpy.types.PropertyGroup):
+    """A chain of edges: those with its number (bridge.mesh.curve_marks)."""
+
+    name: StringProperty(name="Name", description="Of the control curve", default="Curve")
+    number: IntProperty(name="Number", description="By which the mesh knows its edges", min=1)
+    is_shown: switch("Shown", "The curve is shown with its comb", True)
+
+
 class HullFairness(bpy.types.PropertyGroup):
     comb_stations: switch("Stations", "Curvature combs on the stations")
     comb_waterlines: switch("Waterlines", "Curvature combs on the waterlines")
@@ -132,6 +140,8 @@ class HullFairness(bpy.types.PropertyGroup):
         update=changed,
     )
     accepted: CollectionProperty(type=HullAcceptedMark)
+    curves: CollectionProperty(type=HullControlCurve)
+    active_curve: IntProperty(name="Curve", description="The control curve that is chosen", min=0)
 
 
-CLASSES = (HullAcceptedMark, HullFairness)
+CLASSES = (HullAcceptedMark, HullControlCurve, HullFairness)

@@ -9,7 +9,7 @@ namespace {
 
 constexpr int kParts = 48;
 constexpr double kError = 5e-7;  // of the chord, at the places looked at
-constexpr int kMostHalvings = 12;
+constexpr int kMostHalvings = 5;
 
 Eigen::Vector2d on_cubic(const std::array<Eigen::Vector2d, 4>& p, double t) {
   const double q = 1.0 - t;
@@ -36,7 +36,7 @@ SectionForm::Point SectionForm::outline(double s, int side, double factor, bool 
   const double length = std::sqrt(1.0 + slope * slope), cube = length * length * length;
   return {{x - half * slope / length, mean_line(x) + half / length},
           {2.0 * s - rise * slope / length - half * bend / cube,
-           2.0 * s * form_.mean_line.slopes(x, behind)[0] + rise / length -
+           2.0 * s * form_.mean_line.held_slopes(x, behind)[0] + rise / length -
                half * slope * bend / cube}};
 }
 

@@ -11,7 +11,8 @@ namespace {
 
 constexpr double kMeeting = 1e-12;  // of the chord: where two parts meet
 constexpr double kEvenLoad = 1e-6;  // a less than this from 1 is 1
-constexpr double kNearEnd = 1e-4;   // of the chord: the slope is held
+constexpr double kNearEnd = 1e-15;  // of the chord: where a slope is infinite
+constexpr double kHeldFrom = 1.0 - 1e-4;
 constexpr double kNearFall = 1e-6;  // likewise of the curvature, where the load begins to fall
 constexpr double kFirstStation = 0.005;
 constexpr double kFiveDigitLift = 0.3;
@@ -125,9 +126,13 @@ std::array<double, 2> SectionMeanLine::slopes(double x, bool behind) const {
   return {0.0, 0.0};
 }
 
+std::array<double, 2> SectionMeanLine::held_slopes(double x, bool behind) const {
+  return slopes(kind_ == Kind::kLoaded ? std::min(x, kHeldFrom) : x, behind);
+}
+
 std::array<double, 2> SectionMeanLine::perpendicular_slopes(double x, bool behind) const {
   const bool is_loaded = kind_ == Kind::kLoaded || kind_ == Kind::kLoaded6A;
-  if (!is_loaded || x >= kFirstStation) return slopes(x, behind);
+  if (!is_loaded || x >= kFirstStation) return held_slopes(x, behind);
   const auto [slope, bend] = loaded_slopes(kFirstStation);
   return {slope + bend * (x - kFirstStation), bend};
 }

@@ -42,6 +42,7 @@ def paths(cls, before=""):
         "resistance": hull_io.Resistance,
         "holtrop": hull_io.HoltropInputs, "delft": hull_io.DelftInputs,
         "developables": hull_io.Developable,
+        "curves": hull_io.ControlCurve,
         "ties": hull_io.Tie, "groups": hull_io.PointGroup,
         "appendages": hull_io.Appendage,
         "plating": hull_io.Plating, "rules": hull_io.SeamRule, "ranges": hull_io.FrameRange,

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ....hull_io import control_rows
-from ...bridge.mesh import mesh_points, row_marks, selection
+from ...bridge.mesh import curve_marks, mesh_points, row_marks, selection
 from ..hull import hull_state
 
 
@@ -20,7 +20,7 @@ def show(obj, scene, adds=False):
     state = hull_state.up_to_date(obj, scene)
     control = state.ship.source.control
     net = control_rows.RowNet(control)
-    chosen = _edges(obj, control)
+    chosen = selected_edges(obj, control)
     points = np.flatnonzero(np.isin(control.vertex_ids, mesh_points.selected(obj.data)))
     alone = set(points.tolist()) - {point for edge in chosen for point in edge}
     through = [edge for point in alone for edge in net.edges_at(point)]
@@ -29,8 +29,9 @@ def show(obj, scene, adds=False):
         raise ValueError("Select edges or points of the rows that are to be shown first")
     ids = control.vertex_ids
     edges = [(int(ids[a]), int(ids[b])) for row in rows for a, b in control_rows.edges_of(row)]
-    if adds:
-        edges += row_marks.marked(obj.data).tolist()
+    # Rows of control curves are shown by their own switches.
+    kept = row_marks.marked(obj.data) if adds else curve_marks.numbered(obj.data)[0]
+    edges += kept.tolist()
     row_marks.mark(obj.data, edges)
     obj.hull.fairness.comb_rows = True
     state = hull_state.follow_edit(obj, scene, is_by_hand=False)
@@ -58,7 +59,7 @@ def chosen(obj, control):
 
     ValueError when no edges of the shell are selected, and where rows meet in them.
     """
-    edges, net = _edges(obj, control), control_rows.RowNet(control)
+    edges, net = selected_edges(obj, control), control_rows.RowNet(control)
     if not edges:
         raise ValueError("Select the row: edges that follow one another, or one of them")
     found = []
@@ -71,8 +72,8 @@ def chosen(obj, control):
     return found
 
 
-def _edges(obj, control):
-    """The selected edges of the shell, as control_rows has them."""
+def selected_edges(obj, control):
+    """The selected edges of the shell of a hull in edit mode, as control_rows has them."""
     pairs = np.array(selection.selected(obj, "edge"), dtype=np.int64).reshape(-1, 2)
     pairs = pairs[np.isin(pairs, control.vertex_ids).all(axis=1)]
     found = np.searchsorted(control.vertex_ids, pairs)

@@ -15,7 +15,7 @@ import numpy as np
 from ....hull_fairness import inflections as seen
 from ....hull_fairness.lines import LEAST_DEPTH
 from ....hull_io import control_rows
-from ...bridge.mesh import row_marks
+from ...bridge.mesh import curve_marks, row_marks
 from ..lines import lines
 from .combs import HEIGHT, MARKS, STRAIGHT
 
@@ -146,7 +146,7 @@ def follow(known, obj, ship, settings):
     if not settings.fairness.comb_rows or ship.surface is None:
         return None
     control = ship.source.control
-    marked = marked_edges(obj.data, control.vertex_ids)
+    marked = shown_edges(obj, control.vertex_ids)
     topology = (ship.topology_key, tuple(marked))
     key = (ship.geometry_key, topology, settings.half)
     if known is not None and known.key == key:
@@ -176,3 +176,17 @@ def marked_edges(mesh, vertex_ids):
     own = np.isin(found, vertex_ids).all(axis=1)
     pairs = np.searchsorted(vertex_ids, found[own])
     return sorted(control_rows.edge_key(a, b) for a, b in pairs.tolist())
+
+
+def shown_edges(obj, vertex_ids):
+    """The same of a hull, without those of control curves that are switched off."""
+    hidden = [curve.number for curve in obj.hull.fairness.curves if not curve.is_shown]
+    marked = marked_edges(obj.data, vertex_ids)
+    if not hidden or not marked:
+        return marked
+    edges, numbers = curve_marks.numbered(obj.data)
+    edges = edges[np.isin(numbers, hidden)]
+    edges = edges[np.isin(edges, vertex_ids).all(axis=1)]
+    pairs = np.searchsorted(vertex_ids, edges)
+    left_out = {control_rows.edge_key(a, b) for a, b in pairs.tolist()}
+    return [edge for edge in marked if edge not in left_out]

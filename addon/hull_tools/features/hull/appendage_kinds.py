@@ -17,6 +17,14 @@ NUMBERS = (
 )  # fmt: skip
 
 
+# What a section's name may be, for settings.
+SECTIONS = (
+    "NACA section: four digits (0012, 2412), five (23012, reflexed 23112), either with another "
+    "nose and place of the thickness (0012-64); series 63 to 65 (63-012, 63-412) and 63A to 65A "
+    "(64A010), the mean line of a = 1 unless it is given (63-412 a=0.8)"
+)
+
+
 @dataclass(frozen=True)
 class Kind:
     """asked: names of what it is made by; ratios: of Lpp (x, chords, lengths), of the draft (z,

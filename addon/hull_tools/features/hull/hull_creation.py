@@ -12,7 +12,15 @@ from ..constraints import developables, flats, kept_points, point_locks
 from ..flotation import loading_data
 from ..lines import line_data, line_places
 from ..surface import materials
-from . import appendage_data, field_data, hull_state, plating_data, tie_data, wanted_data
+from . import (
+    appendage_data,
+    curve_data,
+    field_data,
+    hull_state,
+    plating_data,
+    tie_data,
+    wanted_data,
+)
 
 _PARTICULARS = ("length_pp", "beam", "draft", "depth")
 
@@ -66,6 +74,7 @@ def give_ship(obj, hull, scale, known=()):
     if hull.shown_rows:
         row_marks.store(mesh, hull.shown_rows)
         obj.hull.fairness.comb_rows = True
+    curve_data.give(obj, hull.curves)
     obj.hull.half = hull.half
     _add_layers(obj, hull, known, scale)
     _copy_particulars(obj.hull, hull, scale)

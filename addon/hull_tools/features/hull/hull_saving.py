@@ -11,7 +11,7 @@ from ...bridge.objects import hull_objects
 from ..constraints import developables, flats, kept_points, point_locks
 from ..flotation import loading_data
 from ..lines import line_data
-from . import appendage_data, field_data, plating_data, tie_data, wanted_data
+from . import appendage_data, curve_data, field_data, plating_data, tie_data, wanted_data
 
 
 def hull_data(obj, scene):
@@ -55,6 +55,7 @@ def ship_data(obj, scale):
         scheme=settings.scheme,
         deck_edge=_pairs(data.edges[of_faces & data.deck_edges]),
         shown_rows=_pairs(_within(row_marks.marked(obj.data), data.edges[of_faces])),
+        curves=curve_data.of(obj, data.edges[of_faces]),
         flats=_flats(obj, scale),
         developables=_developables(obj, scale),
         locked=point_locks.locked_points(obj.data).tolist(),

@@ -1,0 +1,139 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Control curves: named chains of edges, each with its comb and smoothing, that last."""
+
+import bpy
+import numpy as np
+import pytest
+from addon_under_test import part, state_of
+from edited_hulls import at, edit, grid_hull, keys, select, selected
+
+pytestmark = pytest.mark.once
+
+COLUMNS, ROWS = 9, 7
+
+
+def line(j, columns=COLUMNS):
+    return [(at(i, j, ROWS), at(i + 1, j, ROWS)) for i in range(columns - 1)]
+
+
+def edges_of(hull, name):
+    marks = part("bridge.mesh.curve_marks")
+    return keys(marks.edges_of(hull.data, hull.hull.fairness.curves[name].number))
+
+
+def shown(hull):
+    group = state_of(hull).fairness.combs.get("row")
+    return 0 if group is None else len(group.rows)
+
+
+def with_two():
+    """A hull in edit mode with the curves "chine", a whole row by one edge, and "sheer", a part."""
+    hull = grid_hull(COLUMNS, ROWS)
+    edit(hull, (False, True, False))
+    select(hull, "edge", line(2)[3:4])
+    assert bpy.ops.hull.add_curve(name="chine") == {"FINISHED"}
+    select(hull, "edge", line(4)[:5])
+    assert bpy.ops.hull.add_curve(name="sheer") == {"FINISHED"}
+    return hull
+
+
+def test_curves_have_names_switches_and_edges():
+    hull = with_two()
+    fairness = hull.hull.fairness
+    assert [curve.name for curve in fairness.curves] == ["chine", "sheer"]
+    assert edges_of(hull, "chine") == keys(line(2)) and edges_of(hull, "sheer") == keys(line(4)[:5])
+    assert shown(hull) == 2
+    fairness.curves["chine"].is_shown = False
+    bpy.context.view_layer.update()
+    assert shown(hull) == 1
+    # Rows that are shown besides come and go without them.
+    select(hull, "edge", line(3)[:1])
+    bpy.ops.hull.show_rows()
+    assert shown(hull) == 2
+    fairness.curves["chine"].is_shown = True
+    bpy.context.view_layer.update()
+    assert shown(hull) == 3
+    fairness.active_curve = 1
+    bpy.ops.hull.select_curve()
+    assert keys(selected(hull, "edge")) == keys(line(4)[:5])
+    fairness.active_curve = 0
+    bpy.ops.hull.select_curve(extend=True)
+    assert keys(selected(hull, "edge")) == keys(line(4)[:5] + line(2))
+    bpy.ops.hull.remove_curve()
+    assert [curve.name for curve in fairness.curves] == ["sheer"] and shown(hull) == 2
+    bpy.ops.object.mode_set(mode="OBJECT")
+    assert edges_of(hull, "sheer") == keys(line(4)[:5])
+
+
+def test_a_curve_is_faired_by_itself():
+    hull = with_two()
+    points = part("bridge.mesh.mesh_points")
+    start = points.read(hull.data)
+    dented = start.copy()
+    dented[at(4, 2, ROWS), 1] -= 0.05
+    dented[at(2, 4, ROWS), 1] -= 0.05
+    points.write(hull.data, np.arange(len(dented)), dented)
+    part("features.hull.hull_state").follow_edit(hull, bpy.context.scene)
+    hull.hull.fairness.active_curve = 0
+    assert bpy.ops.hull.fair_curve(deviation_mm=20.0) == {"FINISHED"}
+    moved = np.flatnonzero((points.read(hull.data) != dented).any(axis=1))
+    assert len(moved) and set(moved) <= {at(i, 2, ROWS) for i in range(COLUMNS)}
+    bpy.ops.object.mode_set(mode="OBJECT")
+
+
+def test_curves_last_through_edits_copies_and_files(tmp_path):
+    hull = with_two()
+    select(hull, "edge", line(2)[:1])
+    bpy.ops.mesh.subdivide(number_cuts=1)
+    bpy.ops.object.mode_set(mode="OBJECT")
+    assert len(edges_of(hull, "chine")) == COLUMNS and len(edges_of(hull, "sheer")) == 5
+    hull.hull.fairness.curves["sheer"].is_shown = False
+    bpy.ops.object.duplicate()
+    copy = bpy.context.view_layer.objects.active
+    assert copy is not hull and [c.name for c in copy.hull.fairness.curves] == ["chine", "sheer"]
+    assert len(edges_of(copy, "chine")) == COLUMNS
+    data = part("features.hull.hull_saving").hull_data(hull, bpy.context.scene)
+    assert [(c.name, c.shown, len(c.edges)) for c in data.curves] == [
+        ("chine", True, COLUMNS), ("sheer", False, 5)
+    ]  # fmt: skip
+    name = hull.name
+    path = str(tmp_path / "curves.blend")
+    bpy.ops.wm.save_as_mainfile(filepath=path, copy=True)
+    with bpy.data.libraries.load(path) as (there, wanted):
+        wanted.objects = [name]
+    loaded = wanted.objects[0]
+    assert [c.name for c in loaded.hull.fairness.curves] == ["chine", "sheer"]
+    assert len(edges_of(loaded, "chine")) == COLUMNS
+
+
+def test_hull_files_bring_them_back():
+    hull = with_two()
+    bpy.ops.object.mode_set(mode="OBJECT")
+    curves = part("features.hull.curve_data")
+    edges = np.array([edge.vertices[:] for edge in hull.data.edges])
+    kept = curves.of(hull, edges)
+    other = grid_hull(COLUMNS, ROWS)
+    curves.give(other, kept)
+    assert curves.of(other, edges) == kept
+    rows = part("bridge.mesh.row_marks")
+    assert keys(rows.marked(other.data)) == keys(line(2) + line(4)[:5])
+    # Edges that are not the shell's are left out.
+    assert curves.of(hull, edges[:0])[0].edges == []
+
+
+def test_what_is_no_chain_is_refused():
+    hull = grid_hull(COLUMNS, ROWS)
+    edit(hull, (False, True, False))
+    for words, edges in [
+        ("Select the edges", []),
+        ("branch", [*line(3), (at(4, 3, ROWS), at(4, 4, ROWS))]),
+        ("are apart", line(3)[:2] + line(3)[4:6]),
+    ]:
+        select(hull, "edge", edges)
+        with pytest.raises(RuntimeError, match=words):
+            bpy.ops.hull.add_curve()
+    for operator in (bpy.ops.hull.select_curve, bpy.ops.hull.remove_curve, bpy.ops.hull.fair_curve):
+        with pytest.raises(RuntimeError, match="Choose a curve of the list"):
+            operator()
+    assert not len(hull.hull.fairness.curves)
+    bpy.ops.object.mode_set(mode="OBJECT")
