@@ -74,6 +74,7 @@ def test_a_curve_is_faired_by_itself():
     dented[at(2, 4, ROWS), 1] -= 0.05
     points.write(hull.data, np.arange(len(dented)), dented)
     part("features.hull.hull_state").follow_edit(hull, bpy.context.scene)
+    dented = points.read(hull.data)
     hull.hull.fairness.active_curve = 0
     assert bpy.ops.hull.fair_curve(deviation_mm=20.0) == {"FINISHED"}
     moved = np.flatnonzero((points.read(hull.data) != dented).any(axis=1))
@@ -104,6 +105,15 @@ def test_curves_last_through_edits_copies_and_files(tmp_path):
     loaded = wanted.objects[0]
     assert [c.name for c in loaded.hull.fairness.curves] == ["chine", "sheer"]
     assert len(edges_of(loaded, "chine")) == COLUMNS
+
+
+def test_each_half_of_a_subdivided_edge_is_of_the_curve():
+    hull = with_two()
+    bpy.ops.object.mode_set(mode="OBJECT")
+    assert bpy.ops.hull.subdivide_exactly() == {"FINISHED"}
+    assert len(edges_of(hull, "chine")) == 2 * (COLUMNS - 1)
+    assert len(edges_of(hull, "sheer")) == 10
+    assert shown(hull) == 2
 
 
 def test_hull_files_bring_them_back():
