@@ -120,15 +120,15 @@ def test_hull_files_bring_them_back():
     hull = with_two()
     bpy.ops.object.mode_set(mode="OBJECT")
     curves = part("features.hull.curve_data")
-    edges = np.array([edge.vertices[:] for edge in hull.data.edges])
-    kept = curves.of(hull, edges)
+    faces = [face.vertices[:] for face in hull.data.polygons]
+    kept = curves.take_curves(hull, faces)
     other = grid_hull(COLUMNS, ROWS)
-    curves.give(other, kept)
-    assert curves.of(other, edges) == kept
+    curves.give_curves(other, kept)
+    assert curves.take_curves(other, faces) == kept
     rows = part("bridge.mesh.row_marks")
     assert keys(rows.marked(other.data)) == keys(line(2) + line(4)[:5])
     # Edges that are not the shell's are left out.
-    assert curves.of(hull, edges[:0])[0].edges == []
+    assert curves.take_curves(hull, faces[:0])[0].edges == []
 
 
 def test_what_is_no_chain_is_refused():

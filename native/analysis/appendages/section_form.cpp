@@ -9,7 +9,7 @@ namespace {
 
 constexpr int kParts = 48;
 constexpr double kError = 5e-7;  // of the chord, at the places looked at
-constexpr int kMostHalvings = 5;
+constexpr int kMostHalvings = 7;
 
 Eigen::Vector2d on_cubic(const std::array<Eigen::Vector2d, 4>& p, double t) {
   const double q = 1.0 - t;

@@ -12,7 +12,7 @@ namespace {
 constexpr double kMeeting = 1e-12;  // of the chord: where two parts meet
 constexpr double kEvenLoad = 1e-6;  // a less than this from 1 is 1
 constexpr double kNearEnd = 1e-15;  // of the chord: where a slope is infinite
-constexpr double kHeldFrom = 1.0 - 1e-4;
+constexpr double kHeldFrom = 1.0 - 1e-5;
 constexpr double kNearFall = 1e-6;  // likewise of the curvature, where the load begins to fall
 constexpr double kFirstStation = 0.005;
 constexpr double kFiveDigitLift = 0.3;

@@ -32,7 +32,7 @@ class SectionMeanLine {
   // dy/dx and d²y/dx²: where two parts meet, of that behind or before. Where the slope is infinite,
   // at 0 and, for a = 1, at 1, it is that 1e-15 of the chord beside it.
   std::array<double, 2> slopes(double x, bool behind) const;
-  // Likewise for tangents of cubics: behind 1 - 1e-4 the slope is that there.
+  // Likewise for tangents of cubics: behind 1 - 1e-5 the slope is that there.
   std::array<double, 2> held_slopes(double x, bool behind) const;
   // Likewise of the line that the thickness is perpendicular to: before 0.5 % of the chord loaded
   // lines, whose slope is infinite at 0, are continued by a parabola for it.

@@ -1,13 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Control curves to and from hull_io.HullData."""
 
-import numpy as np
-
 from ....hull_io.hull_curves import ControlCurve
-from ...bridge.mesh import curve_marks, edge_marks, mesh_arrays, row_marks
+from ....hull_io.hull_data import edge_key, face_edges
+from ...bridge.mesh import curve_marks, edge_marks, row_marks
 
 
-def give(obj, curves):
+def give_curves(obj, curves):
     """Gives an object, not in edit mode, these ControlCurves."""
     fairness = obj.hull.fairness
     fairness.curves.clear()
@@ -22,15 +21,14 @@ def give(obj, curves):
         fairness.comb_rows = True
 
 
-def of(obj, edges):
-    """The ControlCurves of an object, of those of its edges that are among `edges` (e, 2)."""
+def take_curves(obj, faces):
+    """The ControlCurves of an object, of those of its edges that are of faces, lists of points."""
+    known = {edge_key(a, b) for face in faces for a, b in face_edges(face)}
     pairs, numbers = curve_marks.numbered(obj.data)
-    is_there = np.isin(mesh_arrays.edge_keys(pairs), mesh_arrays.edge_keys(edges))
-    pairs, numbers = np.sort(pairs[is_there], axis=1), numbers[is_there]
     return [
         ControlCurve(
             entry.name,
-            sorted(map(tuple, pairs[numbers == entry.number].tolist())),
+            sorted(known & {edge_key(a, b) for a, b in pairs[numbers == entry.number].tolist()}),
             entry.is_shown,
         )
         for entry in obj.hull.fairness.curves

@@ -55,6 +55,7 @@ def hull_object(hull, scene, collection):
     wanted_data.give_wanted(obj.hull, hull, scale)
     field_data.give_fields(obj, hull, scale)
     plating_data.give_plating(obj, hull.plating, scale)
+    curve_data.give_curves(obj, hull.curves)
     make_hull(obj, scene, hull.half)
     if hull.appendages:
         appendage_data.give_appendages(obj, hull.appendages, scale, collection)
@@ -74,7 +75,6 @@ def give_ship(obj, hull, scale, known=()):
     if hull.shown_rows:
         row_marks.store(mesh, hull.shown_rows)
         obj.hull.fairness.comb_rows = True
-    curve_data.give(obj, hull.curves)
     obj.hull.half = hull.half
     _add_layers(obj, hull, known, scale)
     _copy_particulars(obj.hull, hull, scale)

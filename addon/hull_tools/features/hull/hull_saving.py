@@ -29,6 +29,7 @@ def hull_data(obj, scene):
     made.fields = field_data.take_fields(obj, scale)
     made.appendages = appendage_data.take_appendages(obj, scale)
     made.plating = plating_data.take_plating(obj, scale)
+    made.curves = curve_data.take_curves(obj, made.faces)
     return made
 
 
@@ -55,7 +56,6 @@ def ship_data(obj, scale):
         scheme=settings.scheme,
         deck_edge=_pairs(data.edges[of_faces & data.deck_edges]),
         shown_rows=_pairs(_within(row_marks.marked(obj.data), data.edges[of_faces])),
-        curves=curve_data.of(obj, data.edges[of_faces]),
         flats=_flats(obj, scale),
         developables=_developables(obj, scale),
         locked=point_locks.locked_points(obj.data).tolist(),
