@@ -23,6 +23,25 @@ def test_every_file_arrives_as_one_hull(freeship_folder):
         check_imported(bpy.context.object, hull_io().read_hull(path))
 
 
+def test_files_of_geometry_are_sent_to_hull_from_file(tmp_path):
+    """Of all endings that Hull from File offers but those that both read; it reads them."""
+    operators = part("operators.geometry")
+    (glob,) = (
+        annotation.keywords["default"]
+        for name, annotation in operators.HULL_OT_hull_from_file.__annotations__.items()
+        if name == "filter_glob"
+    )
+    endings = [pattern.lstrip("*.") for pattern in glob.split(";")]
+    assert {"geo", "stl", "step"} <= set(endings)
+    before = data_counts()
+    for ending in set(endings) - {"fbm", "ftm", "txt"}:
+        path = tmp_path / f"ship.{ending}"
+        path.write_bytes(b"[TShipLines]")
+        with pytest.raises(RuntimeError, match="with Hull from File, which lays a hull"):
+            bpy.ops.hull.import_hull(filepath=str(path))
+    assert data_counts() == before
+
+
 def check_imported(hull, wanted):
     """The object against what the file holds."""
     assert [obj for obj in bpy.data.objects if obj.type == "MESH" and obj.hull.is_hull] == [hull]

@@ -52,6 +52,21 @@ def layered(box):
     return bottom
 
 
+@pytest.mark.parametrize("system", ["METRIC", "IMPERIAL"])
+def test_freeship_files_keep_the_weight(box, tmp_path, system):
+    """The plating of the shell, and that of a layer, are both of layers there: she weighs the
+    same."""
+    layered(box)
+    bpy.context.scene.unit_settings.system = system
+    before = result_of(box).total
+    assert bpy.ops.hull.export_freeship(filepath=str(tmp_path / "box.fbm")) == {"FINISHED"}
+    assert bpy.ops.hull.import_hull(filepath=str(tmp_path / "box.fbm")) == {"FINISHED"}
+    again = result_of(bpy.context.object)
+    assert len(again.parts) == 2 and bpy.context.object is not box
+    assert again.total.mass_t == pytest.approx(before.mass_t, rel=3e-6) and before.mass_t > 6.0
+    np.testing.assert_allclose(again.total.centre, before.centre, rtol=3e-6, atol=1e-9)
+
+
 def test_layers_have_plating_of_their_own(box):
     layered(box)
     bottom, rest = result_of(box).parts
