@@ -18,6 +18,8 @@ from test_panels import Drawn, context
 PAGE = DOCS / "coming-from.md"
 SLANTED = re.compile(r"(?<![\w*])\*([^*\n]+?)\*(?![\w*])")
 EDIT, OBJECT = "EDIT", "OBJECT"
+# Half a minute; test_plate_files has it.
+TAKE_LONG = {"export_plates"}
 HALF_LENGTH = 42.0  # of the coaster
 
 
@@ -145,20 +147,58 @@ def test_buttons_stand_in_the_panels_and_the_mode_that_rows_tell():
     assert called > 60
 
 
-@pytest.mark.parametrize("mode", [OBJECT, EDIT])
-def test_buttons_that_rows_name_can_be_pressed(mode):
+def named_operators(mode):
+    """Names of the operators whose buttons rows send one to, in a mode; a sample hull is active."""
     known = in_both_modes()[mode]
-    hull = bpy.context.object
+    labels = {label for _, here in rows() if mode_of(here) == mode for label in labels_of(here)}
+    found = {name for page in known.values() for label, name in page.items() if label in labels}
+    return sorted(found - {""})
+
+
+def in_mode(hull, mode):
     if mode == EDIT:
         edit(hull)
         bpy.ops.mesh.select_all(action="SELECT")
-    names = {label for _, here in rows() if mode_of(here) == mode for label in labels_of(here)}
-    pressed = {name for page in known.values() for label, name in page.items()
-               if name and label in names}  # fmt: skip
+
+
+@pytest.mark.parametrize("mode", [OBJECT, EDIT])
+def test_buttons_that_rows_name_can_be_pressed(mode):
+    pressed = named_operators(mode)
+    in_mode(bpy.context.object, mode)
     assert len(pressed) > 20
     refused = {name for name in pressed if not getattr(bpy.ops.hull, name).poll()}
     # These need curves, and targets.
     assert refused <= {"curves_to_network", "solve_targets"}
+
+
+def arguments(operator, folder):
+    """A name for what writes or reads a file."""
+    properties = operator.get_rna_type().properties
+    if "filepath" not in properties:
+        return {}
+    ending = properties["filter_glob"].default.partition(";")[0].lstrip("*")
+    return {"filepath": str(folder / f"file{ending}")}
+
+
+@pytest.mark.parametrize("mode", [OBJECT, EDIT])
+def test_what_rows_name_does_its_work_or_says_in_a_sentence_why_not(mode, tmp_path):
+    """With all of a hull selected; the hull is followed afterwards in either case."""
+    done, told = set(), {}
+    for name in set(named_operators(mode)) - TAKE_LONG:
+        bpy.ops.wm.read_homefile(use_empty=True)
+        hull, operator = sample("coaster"), getattr(bpy.ops.hull, name)
+        in_mode(hull, mode)
+        if not operator.poll():
+            continue
+        try:
+            assert operator(**arguments(operator, tmp_path)) == {"FINISHED"}, name
+            done.add(name)
+        except RuntimeError as error:
+            told[name] = str(error)
+        bpy.context.view_layer.update()
+        assert not state_of(hull).status, name
+    assert len(done) > 15
+    assert all("Traceback" not in text and len(text.split()) > 3 for text in told.values())
 
 
 def middle_edge(hull):
