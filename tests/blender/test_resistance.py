@@ -72,7 +72,8 @@ def test_fresh_water_has_its_own_viscosity(method):
         form = native.delft_yacht(body, **position)
         wanted = native.delft_table(form, speeds, form_factor=result.given.form_factor, **water)
     else:
-        given = {**dict(result.given.planing), **position, "water_density": 1.0}
+        given = {**dict(result.given.planing), **dict(result.given.given), **position}
+        given["water_density"] = 1.0
         wanted = native.savitsky_table(native.planing_boat(body, **given), speeds, **water)
     assert len(wanted) == len(result.rows) > 1
     for row, expected in zip(result.rows, wanted):
