@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kMeeting = 1e-12;  // of the chord: where two parts meet
 constexpr double kEvenLoad = 1e-6;  // a less than this from 1 is 1
-constexpr double kNearEnd = 1e-15;  // of the chord: where a slope is infinite
+constexpr double kNearTip = 1e-15;  // of the chord: where a slope is infinite
 constexpr double kHeldFrom = 1.0 - 1e-5;
 constexpr double kNearFall = 1e-6;  // likewise of the curvature, where the load begins to fall
 constexpr double kFirstStation = 0.005;
@@ -167,9 +167,9 @@ double SectionMeanLine::loaded_height(double x) const {
 
 std::array<double, 2> SectionMeanLine::loaded_slopes(double x) const {
   const double a = place_, factor = size_ / (2.0 * std::numbers::pi * (a + 1.0));
-  x = std::max(x, kNearEnd);
+  x = std::max(x, kNearTip);
   if (a == 1.0) {
-    x = std::min(x, 1.0 - kNearEnd);
+    x = std::min(x, 1.0 - kNearTip);
     return {factor * (log_of(1.0 - x) - log_of(x)), -factor * (1.0 / (1.0 - x) + 1.0 / x)};
   }
   const double rest = std::max(1.0 - x, kNearFall), before = a - x;
