@@ -190,6 +190,28 @@ def test_stern_tubes(name):
     checked(surface, curves, point, direction, radius, tolerance)
 
 
+@pytest.mark.parametrize("name", SAMPLES)
+def test_random_cylinders(name):
+    """Of any place, direction and size: rays meet the hull as often as curves pass them, and none
+    where there is no curve."""
+    _, body = body_of(name)
+    surface = body.surface
+    points, size = np.asarray(surface.mesh.points), size_of(surface)
+    random = np.random.default_rng(2316)
+    for trial in range(12):
+        point = random.choice(points) + 0.01 * size * random.normal(size=3)
+        direction = random.normal(size=3) if trial % 2 else np.eye(3)[random.integers(3)]
+        radius = size * 10.0 ** random.uniform(-3.0, -1.0)
+        try:
+            curves = hn.HullCurves(surface, 1e-5 * size).on_cylinder(
+                point, direction=direction, radius=radius
+            )
+        except ValueError as error:
+            assert "does not meet" in str(error), f"seed 2316, trial {trial}"
+            curves = []
+        checked(surface, curves, point, direction, radius, 1e-5 * size)
+
+
 def test_it_is_the_edge_of_the_tunnel_that_is_cut():
     """What a tunnel takes from the coaster's shell is the plate within the curve, and what it adds
     is the cylinder up to it: ∮ 2 y r dθ."""
