@@ -4,7 +4,8 @@ written, in seconds of the clock and of the processor, against a limit; part of 
 
 PYTHONPATH=build/release/python:samples python3 scripts/plates_benchmark.py [FOLDER]
 
-FOLDER keeps what is written: plates.pdf, plates.dxf, an SVG a plate at 1:10, lists and stock plates.
+FOLDER keeps what is written: plates.pdf, plates.dxf, an SVG a plate at 1:10, lists and stock
+plates.
 """
 
 import pathlib
