@@ -56,6 +56,13 @@ def test_the_other_is_computed_once(monkeypatch):
         result_of(hull)
     assert len(bodies) <= 4  # its own draft stays: three times this hull, once the other
     bodies.clear()
+    ship, curves = state_of(hull).ship.source.ship, part("features.resistance.resistance_curves")
+    for is_beside in (True, False, True):  # nor this hull, where only the other is another
+        hull.hull.variants.resistance_beside = is_beside
+        found = curves.compute(ship, curves.inputs(hull.hull, 1.0))
+        assert (found.other is not None) == is_beside and len(found.rows) == 3
+    assert len(bodies) == 1
+    bodies.clear()
     own.speed_to = 13.0
     assert result_of(hull).other.rows[-1]["speed_kn"] == pytest.approx(13.0)
     assert len(bodies) == 2

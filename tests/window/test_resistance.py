@@ -7,6 +7,7 @@ from addon_under_test import part
 from editing import hull_at_hand
 from sidebar import show_all_panels, show_panels, to, type_in
 
+
 def shown(name):
     """The plot of an analysis over the view, once it is of the hull as it is; else None."""
     plots = part("features.analyses.live_analyses").plots().shown
