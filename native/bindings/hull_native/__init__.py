@@ -110,7 +110,7 @@ _LATER = {
     "stretch_drawing": ".plate_drawings",
     "nesting_drawing": ".plate_drawings",
     "frame_marks": ".plate_drawings",
-    "opening_marks": ".opening_marks",
+    "opening_marks": ".plate_openings",
     "SectionCurvature": ".curvature_plots",
     "curvature_plot": ".curvature_plots",
     "section_curvature": ".curvature_plots",

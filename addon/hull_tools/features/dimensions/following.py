@@ -94,7 +94,6 @@ STAYING = frozenset(
     fairness.line_direction fairness.light_direction fairness.reflection_spacing
     fairness.isophote_direction fairness.isophote_spacing fairness.eye_direction
     fairness.accepted.line fairness.accepted.mark
-    fairness.curves.name fairness.curves.number fairness.active_curve
     developables.warp developables.distance plates.thickness
     plates.ranges.spacing layers.thickness layers.density weights.thickness weights.density
     loading.heel_greatest loading.heel_step wind.pressure wind.roll_period
