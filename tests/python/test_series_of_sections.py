@@ -254,7 +254,7 @@ def test_splines_follow_the_outline(name):
     parts = np.array(form.spline())
     assert len(parts) < 140
     assert np.abs(parts[1:, 0] - parts[:-1, 3]).max() < 1e-15
-    fine = np.linspace(0.0, 1.0, 20001) ** 2
+    fine = 0.5 - 0.5 * np.cos(np.linspace(0.0, np.pi, 30001))
     for lower in (False, True):
         outline = np.array([form.point(x, lower=lower) for x in fine])
         half = parts[len(parts) // 2 :] if lower else parts[: len(parts) // 2]

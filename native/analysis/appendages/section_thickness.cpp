@@ -14,6 +14,7 @@ constexpr double kNose = 0.2969;
 // Slope at the trailing edge by tenths of the chord where the thickness is largest, from 2.
 constexpr std::array<double, 5> kTailSlopes{0.200, 0.234, 0.315, 0.465, 0.700};
 constexpr double kTail = 0.002;
+constexpr double kBluntTail = 0.0105;  // of the thickness, of four digits
 constexpr int kUsualNose = 6, kBluntNose = 9;
 
 using Powers = std::array<double, 9>;
@@ -58,7 +59,8 @@ Powers times_root(double from, double a, double m, double c, double d) {
 
 SectionThickness SectionThickness::four_digits(double thickness) {
   const Powers factors{0.0, kNose, -0.1260, 0.0, -0.3516, 0.0, 0.2843, 0.0, -0.1015};
-  return SectionThickness({{1.0, times(factors, thickness / kFormulaThickness)}});
+  return SectionThickness({{1.0, times(factors, thickness / kFormulaThickness)}},
+                          kBluntTail * thickness);
 }
 
 SectionThickness SectionThickness::modified(double thickness, int nose, int tenths) {
@@ -80,7 +82,8 @@ SectionThickness SectionThickness::modified(double thickness, int nose, int tent
   const Powers behind{
       kTail + d1 + d2 + d3, 0.0, -d1 - 2.0 * d2 - 3.0 * d3, 0.0, d2 + 3.0 * d3, 0.0, -d3};
   const double factor = thickness / kFormulaThickness;
-  return SectionThickness({{root, times(before, factor)}, {1.0, times(behind, factor)}});
+  return SectionThickness({{root, times(before, factor)}, {1.0, times(behind, factor)}},
+                          kTail * factor);
 }
 
 SectionThickness SectionThickness::series(int family, bool is_6a, double thickness) {
@@ -93,7 +96,7 @@ SectionThickness SectionThickness::series(int family, bool is_6a, double thickne
                                               (3.0 * rise - 2.0 * slopes[i] - slopes[i + 1]) / h,
                                               (slopes[i] + slopes[i + 1] - 2.0 * rise) / (h * h))});
   }
-  return SectionThickness(std::move(pieces));
+  return SectionThickness(std::move(pieces), ratios.back());
 }
 
 std::array<double, 2> SectionThickness::at(double s) const {
@@ -104,7 +107,7 @@ std::array<double, 2> SectionThickness::at(double s) const {
     slope = slope * s + y;
     y = y * s + pieces_[i].factors[k];
   }
-  return {y, slope};
+  return {s == 1.0 ? tail_ : y, slope};
 }
 
 std::vector<double> SectionThickness::knots() const {

@@ -33,9 +33,11 @@ class SectionThickness {
     double end;
     std::array<double, 9> factors;
   };
-  explicit SectionThickness(std::vector<Piece> pieces) : pieces_(std::move(pieces)) {}
+  SectionThickness(std::vector<Piece> pieces, double tail)
+      : pieces_(std::move(pieces)), tail_(tail) {}
 
   std::vector<Piece> pieces_;
+  double tail_;  // y at 1 without rounding: sharp edges are sharp
 };
 
 }  // namespace hull::analysis
