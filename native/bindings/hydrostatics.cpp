@@ -4,6 +4,9 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
+#include "analysis/hydrostatics/hydrostatics_check.h"
+#include "analysis/stations/lateral_profile.h"
+
 namespace hull::bindings {
 
 namespace py = pybind11;
@@ -112,9 +115,40 @@ void add_form(HydrostaticsClass& c) {
                     "rad, between the centre plane and the chord from the waterline's forward end "
                     "to the half breadth 5 % of Lwl abaft it.")
       .def_readonly("lateral_area", &P::lateral_area,
-                    "m², of the underwater profile: the centre plane inside the immersed body.")
+                    "m², of the underwater profile: the centre plane inside the immersed body, "
+                    "with what is joined to it.")
       .def_readonly("lateral_x", &P::lateral_x, "x of the lateral area's centre, m.")
-      .def_readonly("lateral_z", &P::lateral_z, "z of the lateral area's centre, m.");
+      .def_readonly("lateral_z", &P::lateral_z, "z of the lateral area's centre, m.")
+      .def_readonly("wind_area", &P::wind_area, "m², of the profile above the water.")
+      .def_readonly("wind_x", &P::wind_x, "x of the wind area's centre, m.")
+      .def_readonly("wind_z", &P::wind_z, "z of the wind area's centre, m.");
+}
+
+void bind_lateral_profile(py::module_& module) {
+  using P = analysis::ProfileArea;
+  py::class_<P>(module, "ProfileArea", "A part of a ship's profile.")
+      .def_readonly("area", &P::area, "m².")
+      .def_property_readonly(
+          "centre", [](const P& p) { return py::make_tuple(p.centre.x(), 0.0, p.centre.z()); },
+          "(x, 0, z), m; zeros without an area.");
+  using L = analysis::LateralProfile;
+  py::class_<L>(module, "LateralProfile", "A ship's profile on the centre plane in some water.")
+      .def_readonly("above", &L::above, "ProfileArea above the water: what the wind meets.")
+      .def_readonly("below", &L::below, "ProfileArea below the water.");
+  module.def(
+      "lateral_profile",
+      [](const analysis::HullBody& body, double draft, double trim, double heel, double draft_at) {
+        const analysis::FloatingPosition position{draft, trim, heel, draft_at};
+        analysis::check_hydrostatics(position, {}, analysis::kSeaWaterDensity);
+        return analysis::lateral_profile(body, analysis::water_plane(position));
+      },
+      py::arg("body"), py::kw_only(), py::arg("draft"), py::arg("trim") = 0.0,
+      py::arg("heel") = 0.0, py::arg("draft_at") = 0.0, py::call_guard<py::gil_scoped_release>(),
+      "The LateralProfile of a HullBody in water, as in hydrostatics(); there may be nothing "
+      "immersed.\n\nOf each body it is the centre plane inside it (of one beside the plane the "
+      "plane amidst it), openings closed athwartships. With join() bodies that overlap and "
+      "appendages, as they are seen athwartships, count once, and light falls through tunnels "
+      "across the ship. Raises ValueError for numbers that are not finite.");
 }
 
 analysis::ProjectDimensions dimensions(std::optional<double> length_pp, std::optional<double> beam,
@@ -159,6 +193,7 @@ void bind_hydrostatics(py::module_& module) {
                    "starboard) in rad. ") +
        kDimensionsDoc + " Raises ValueError if the faces are turned inwards.")
           .c_str());
+  bind_lateral_profile(module);
   module.def(
       "hydrostatic_table",
       [](const analysis::HullBody& body, const std::vector<double>& drafts,

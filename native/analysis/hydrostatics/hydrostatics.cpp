@@ -13,7 +13,7 @@
 #include "analysis/hydrostatics/extents.h"
 #include "analysis/hydrostatics/hydrostatics_check.h"
 #include "analysis/stations/largest_section.h"
-#include "analysis/stations/profile_area.h"
+#include "analysis/stations/lateral_profile.h"
 #include "analysis/stations/station_cutter.h"
 #include "surface/parallel_for.h"
 
@@ -149,10 +149,13 @@ void take_extents(const StationCutter& cutter, const Plane& water, Hydrostatics&
 }
 
 void take_profile(const StationCutter& cutter, const Plane& water, Hydrostatics& p) {
-  const ProfileArea profile = profile_area(cutter, water);
-  p.lateral_area = profile.area;
-  p.lateral_x = profile.centre.x();
-  p.lateral_z = profile.centre.z();
+  const LateralProfile profile = lateral_profile(cutter, water);
+  p.lateral_area = profile.below.area;
+  p.lateral_x = profile.below.centre.x();
+  p.lateral_z = profile.below.centre.z();
+  p.wind_area = profile.above.area;
+  p.wind_x = profile.above.centre.x();
+  p.wind_z = profile.above.centre.z();
 }
 
 // Extents, stations and profile. None of them reads what another one writes.

@@ -75,6 +75,8 @@ struct Hydrostatics {
 
   double lateral_area = 0.0;                // m², of the underwater profile; see profile_area.h
   double lateral_x = 0.0, lateral_z = 0.0;  // its centre
+  double wind_area = 0.0;                   // m², of the profile above the water
+  double wind_x = 0.0, wind_z = 0.0;        // its centre
 
   double volume_error = 0.0, wetted_surface_error = 0.0;  // estimates of the quadrature: m³, m²
   // The volume once more, from ∫ y n_y. Upright, it differs where the shell is open below the water

@@ -14,6 +14,7 @@
 #include "analysis/appendages/hull_members.h"
 #include "analysis/immersion/wedge_moments.h"
 #include "analysis/sections/port_side.h"
+#include "analysis/stations/profile_plane.h"
 #include "mesh/tolerances.h"
 
 namespace hull::analysis {
@@ -75,6 +76,7 @@ HullBody::HullBody(const HullBody& body, const surface::LimitSurface& copy,
       caps_(body.caps_),
       appendages_(body.appendages_),
       joined_(body.joined_),
+      profile_(body.profile_),
       inversion_(body.inversion_) {
   assert(!water || !joined_);
 }
@@ -85,13 +87,20 @@ void HullBody::update() {
   close();
   stamp_.renew();
   joined_ = nullptr;
-  if (appendages_) joined_ = joined_shells(*this, *appendages_);
+  profile_ = nullptr;
+  if (appendages_) take(*appendages_);
+}
+
+void HullBody::take(const std::vector<Appendage>& appendages) {
+  std::shared_ptr<const JoinedShells> joined = joined_shells(*this, appendages);
+  profile_ = analysis::joined_profile(*this, appendages);
+  joined_ = std::move(joined);
 }
 
 void HullBody::join(std::vector<Appendage> appendages) {
   current();
   assert(!water_);
-  joined_ = joined_shells(*this, appendages);
+  take(appendages);
   appendages_ = std::make_shared<const std::vector<Appendage>>(std::move(appendages));
 }
 

@@ -19,6 +19,7 @@ namespace hull::analysis {
 
 struct Appendage;
 class JoinedShells;
+struct ProfilePart;
 
 // How the openings of a shell are taken (closings.h tells which are open at all): they let the
 // water in, or are covered, as by a weathertight deck.
@@ -63,6 +64,9 @@ class HullBody {
   void join(std::vector<Appendage> appendages);
   // Null without join().
   const JoinedShells* joined() const { return joined_.get(); }
+  // What of the profile the bodies change that are joined (appendages/profile_union.h); null
+  // without join().
+  const std::vector<ProfilePart>* joined_profile() const { return current().profile_.get(); }
 
   const surface::LimitSurface& surface() const { return stamp_.surface(); }
   // LimitSurface::revision() of the points that the body was computed of.
@@ -109,6 +113,7 @@ class HullBody {
   HullBody(const HullBody& body, const surface::LimitSurface& copy,
            const std::optional<Plane>& water);
   void close();
+  void take(const std::vector<Appendage>& appendages);
   std::string inversion() const;
 
   void check_immersed(const Plane& water) const;
@@ -136,6 +141,7 @@ class HullBody {
   std::vector<ShellPart> caps_;
   std::shared_ptr<const std::vector<Appendage>> appendages_;
   std::shared_ptr<const JoinedShells> joined_;
+  std::shared_ptr<const std::vector<ProfilePart>> profile_;
   std::string inversion_;  // what is wrong with the direction of faces; empty if nothing is
 };
 

@@ -7,20 +7,6 @@
 
 namespace hull::analysis {
 
-HeightRange height_range(const HullBody& body, const Vector3d& direction) {
-  HeightRange range{std::numeric_limits<double>::infinity(),
-                    -std::numeric_limits<double>::infinity()};
-  for (const Vector3d& p : body.surface().mesh().points()) {
-    for (double side : {1.0, -1.0}) {
-      const double h = direction.dot(Vector3d(p.x(), side * p.y(), p.z()));
-      range.low = std::min(range.low, h);
-      range.high = std::max(range.high, h);
-      if (!body.mirrored()) break;
-    }
-  }
-  return range;
-}
-
 double greatest_volume(const HullBody& body, const Vector3d& up) {
   const HeightRange range = height_range(body, up);
   // A little higher: in water that touches the top, flat decks would be cut along themselves.

@@ -9,7 +9,7 @@
 
 #include "analysis/arithmetic/degree.h"
 #include "analysis/hydrostatics/hydrostatics.h"
-#include "analysis/stability/lateral_profile.h"
+#include "analysis/stations/lateral_profile.h"
 #include "analysis/stability/weathertight.h"
 
 namespace hull::analysis {

@@ -3,11 +3,12 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <cmath>
-#include <limits>
+#include <array>
+#include <vector>
 
 #include "analysis/arithmetic/gauss.h"
-#include "mesh/tolerances.h"
+#include "analysis/stations/profile_plane.h"
+#include "analysis/stations/profile_sides.h"
 
 namespace hull::analysis {
 namespace {
@@ -42,29 +43,9 @@ void add_cubic(const BezierCubic& a, const BezierCubic& b, const BezierCubic& y,
   }
 }
 
-// One body of the ship and the plane of its profile.
-struct Profile {
-  int body;
-  bool is_half;  // of the port half, whose border is closed in the plane
-  Plane plane;
-};
-
-Profile profile_of(const HullBody& ship, int body) {
-  const CellBoxes& boxes = ship.boxes();
-  double low = std::numeric_limits<double>::infinity(), high = -low;
-  for (int cell = 0; cell < boxes.size(); ++cell) {
-    if (ship.bodies().of_cell[cell] != body) continue;
-    low = std::min(low, boxes.low(cell).y());
-    high = std::max(high, boxes.high(cell).y());
-  }
-  const double reach = kOnCentrePlane * ship.surface().mesh().size();
-  const bool beside = low > reach || high < -reach;
-  return {body, ship.mirrored() && !beside, {Vector3d::UnitY(), beside ? 0.5 * (low + high) : 0.0}};
-}
-
 // The border, seen athwartships: of a half, what closes it lies in the centre plane; of a whole
 // body, that of the port side.
-void add_border(const HullBody& ship, const Profile& profile, const SectionFrame& frame,
+void add_border(const HullBody& ship, const ProfilePlane& profile, const SectionFrame& frame,
                 SectionIntegrals& sum) {
   for (const BorderEdge& edge : ship.border()) {
     if (ship.bodies().of_cell[edge.half_edge / 4] != profile.body) continue;
@@ -75,36 +56,44 @@ void add_border(const HullBody& ship, const Profile& profile, const SectionFrame
   }
 }
 
-// Sides of a port piece that lie in the centre plane, run through with the piece on their left.
-void add_sides_in_plane(const ArcPiece& piece, const SectionFrame& frame, SectionIntegrals& sum) {
-  constexpr int kSides[4][4] = {{0, 1, 2, 3}, {3, 7, 11, 15}, {15, 14, 13, 12}, {12, 8, 4, 0}};
-  const surface::BicubicPoints& points = piece.piece.points;
-  for (const auto& side : kSides) {
-    const auto in_plane = [&](int k) { return piece.h[k] == 0.0; };
-    if (!std::all_of(side, side + 4, in_plane)) continue;
-    const BezierNet a = bezier_net(points, frame.across, frame.across.dot(frame.origin));
-    const BezierNet b = bezier_net(points, frame.up, frame.up.dot(frame.origin));
-    BezierCubic side_a, side_b;
-    for (int i = 0; i < 4; ++i) {
-      side_a[i] = a[side[i]];
-      side_b[i] = b[side[i]];
-    }
-    add_cubic(side_a, side_b, {}, sum);
-  }
-}
-
 // Where a whole body crosses the plane, with the port side on the left. Seams in the plane are not
 // left to the cutting of squares: at the ends of the keel it would meet saddles.
-void add_seams_and_arcs(const StationCutter& cutter, const Profile& profile,
+void add_seams_and_arcs(const StationCutter& cutter, const ProfilePlane& profile,
                         const SectionFrame& frame, SectionIntegrals& sum) {
   const HullBody& ship = cutter.body();
   for_each_arc_piece(ship.surface(), ship.boxes(), frame, 0.0, [&](const ArcPiece& piece) {
     if (ship.bodies().of_cell[piece.piece.cell] != profile.body) return;
-    if (lowest(piece.h) >= 0.0) return add_sides_in_plane(piece, frame, sum);
+    if (lowest(piece.h) >= 0.0) {
+      return for_each_side_in_plane(
+          piece, frame.across, frame.up, frame.origin,
+          [&](const BezierCubic& a, const BezierCubic& b) { add_cubic(a, b, {}, sum); });
+    }
     if (highest(piece.h) <= 0.0) return;
     for_each_arc_of(piece, frame, 0.0,
                     [&](const ArcSquare& square) { add_arcs(square, 0.0, cutter.rule(), sum); });
   });
+}
+
+// What of a trapezoid is below the water, in the centre plane.
+void add_below(const ProfilePart& part, const Plane& water, double& area, Vector3d& moment) {
+  const std::array<Vector3d, 4> corners{
+      Vector3d(part.x[0], 0.0, part.low[0]), Vector3d(part.x[1], 0.0, part.low[1]),
+      Vector3d(part.x[1], 0.0, part.high[1]), Vector3d(part.x[0], 0.0, part.high[0])};
+  std::vector<Vector3d> wet;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Vector3d &a = corners[i], &b = corners[(i + 1) % corners.size()];
+    const double above_a = water.height(a), above_b = water.height(b);
+    if (above_a < 0.0) wet.push_back(a);
+    if ((above_a < 0.0) != (above_b < 0.0)) {
+      wet.push_back(a + (b - a) * (above_a / (above_a - above_b)));
+    }
+  }
+  for (std::size_t i = 1; i + 1 < wet.size(); ++i) {
+    const Vector3d p = wet[i] - wet[0], q = wet[i + 1] - wet[0];
+    const double triangle = 0.5 * part.times * (p.x() * q.z() - p.z() * q.x());
+    area += triangle;
+    moment += triangle / 3.0 * (wet[0] + wet[i] + wet[i + 1]);
+  }
 }
 
 }  // namespace
@@ -116,7 +105,7 @@ ProfileArea profile_area(const StationCutter& cutter, const Plane& water) {
   ProfileArea result;
   Vector3d moment = Vector3d::Zero();
   for (std::size_t body = 0; body < ship.bodies().first_cell.size(); ++body) {
-    const Profile profile = profile_of(ship, static_cast<int>(body));
+    const ProfilePlane profile = profile_plane(ship, static_cast<int>(body));
     const SectionFrame frame = SectionFrame::above_water(profile.plane, water);
     SectionIntegrals sum;
     add_border(ship, profile, frame, sum);
@@ -124,6 +113,9 @@ ProfileArea profile_area(const StationCutter& cutter, const Plane& water) {
     if (!(sum.area > 0.0)) continue;
     result.area += sum.area;
     moment += sum.area * frame.point(sum.moment_a / sum.area, sum.moment_b / sum.area);
+  }
+  if (const std::vector<ProfilePart>* parts = ship.joined_profile()) {
+    for (const ProfilePart& part : *parts) add_below(part, water, result.area, moment);
   }
   if (result.area > 0.0) result.centre = {moment.x() / result.area, 0.0, moment.z() / result.area};
   return result;

@@ -10,7 +10,7 @@
 
 #include "analysis/arithmetic/degree.h"
 #include "analysis/hydrostatics/hydrostatics.h"
-#include "analysis/stability/lateral_profile.h"
+#include "analysis/stations/lateral_profile.h"
 #include "barges.h"
 #include "test_meshes.h"
 

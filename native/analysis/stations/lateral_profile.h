@@ -13,6 +13,7 @@ struct LateralProfile {
   ProfileArea below;
 };
 
+LateralProfile lateral_profile(const StationCutter& cutter, const Plane& water);
 LateralProfile lateral_profile(const HullBody& body, const Plane& water);
 
 }  // namespace hull::analysis
