@@ -2,7 +2,8 @@
 """What a hull file tells of how the hull lies and is loaded: m, t and degrees.
 
     "afloat": {"trim": m by the stern, "heel_deg": degrees to starboard, "deck_closed": true},
-    "load": {"mass_t": t, "kg": m, "kg_is_guess": false, "lcg": m, "free_trim": true},
+    "load": {"mass_t": t, "kg": m, "kg_is_guess": false, "lcg": m, "free_trim": true,
+             "loaded": "typed", "case": "..."},
     "load_cases": [{"name": "...", "mass_t": t, "lcg": m, "tcg": m, "vcg": m,
                     "with_weights": false}, ...],
     "openings": [{"name": "...", "position": [x, y, z]}, ...],
@@ -10,8 +11,8 @@
              "pressure": Pa, "keel_area": m2, "sharp_bilges": false, "roll_period": s}
 
 All may be left out; without "wind" the wind areas are not known. A load without mass_t is the
-displacement afloat, one without lcg has it above the centre of buoyancy. Centres that are left out
-are 0.
+displacement afloat, one without lcg has it above the centre of buoyancy; "loaded" is "typed",
+"weights" or, for the load case that is named, "case". Centres that are left out are 0.
 """
 
 from .limits import (
@@ -23,7 +24,7 @@ from .limits import (
     MAX_LOADING_ENTRIES,
     STRONGEST_WIND,
 )
-from .ship_data import Afloat, Load, LoadCase, Opening, Wind, WindArea
+from .ship_data import LOADED, Afloat, Load, LoadCase, Opening, Wind, WindArea
 
 KEYS = ("afloat", "load", "load_cases", "openings", "wind")
 
@@ -53,11 +54,14 @@ def _afloat(check, value):
 
 
 def _load(check, value):
-    entries = check.object(value, "load", ("mass_t", "kg", "kg_is_guess", "lcg", "free_trim"))
+    known = ("mass_t", "kg", "kg_is_guess", "lcg", "free_trim", "loaded", "case")
+    entries = check.object(value, "load", known)
     load = Load(
         kg=check.number(entries.get("kg", 0), "load.kg", 0.0, LONGEST_DIMENSION),
         kg_is_guess=check.flag(entries.get("kg_is_guess", False), "load.kg_is_guess"),
         free_trim=check.flag(entries.get("free_trim", True), "load.free_trim"),
+        loaded=check.choice(entries.get("loaded", "typed"), "load.loaded", LOADED),
+        case=check.text(entries.get("case", ""), "load.case"),
     )
     if "mass_t" in entries:
         load.mass_t = check.number(entries["mass_t"], "load.mass_t", 0.0, HEAVIEST_LOAD)
@@ -143,6 +147,10 @@ def entries(data):
     load = {"kg": float(data.load.kg), "free_trim": bool(data.load.free_trim)}
     if data.load.kg_is_guess:
         load["kg_is_guess"] = True
+    if data.load.loaded != "typed":
+        load["loaded"] = data.load.loaded
+    if data.load.case:
+        load["case"] = data.load.case
     for key in ("mass_t", "lcg"):
         if getattr(data.load, key) is not None:
             load[key] = float(getattr(data.load, key))

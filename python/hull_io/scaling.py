@@ -113,7 +113,7 @@ STAYING = frozenset(
     flats.faces flats.offset developables.faces developables.warp developables.distance
     developables.keep locked kept.stations kept.buttocks kept.waterlines ties.kind ties.point
     ties.to ties.share groups.name groups.points afloat.heel_deg afloat.deck_closed load.free_trim
-    load.kg_is_guess
+    load.kg_is_guess load.loaded load.case
     load_cases.name openings.name wind.hull_profile wind.areas.name wind.pressure wind.sharp_bilges
     wind.roll_period lines.shown lines.station_count lines.stations_in lines.planes.name
     lines.planes.shown targets.rows.quantity targets.rows.value targets.rows.sense

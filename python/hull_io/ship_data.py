@@ -16,12 +16,17 @@ class Afloat:
     deck_closed: bool = True
 
 
+LOADED = ("typed", "weights", "case")
+
+
 @dataclass
 class Load:
     """The load whose stability is looked at: mass in t, centre of gravity in m.
 
     mass_t None: the displacement as afloat. kg 0: not given. lcg None: above that of buoyancy.
     free_trim: whether the trim adjusts itself as she heels. kg_is_guess: nobody gave the kg.
+    loaded: one of LOADED, the sum of the weights or the load case of the name `case` instead of
+    this mass and centre.
     """
 
     mass_t: object = None
@@ -29,6 +34,8 @@ class Load:
     lcg: object = None
     free_trim: bool = True
     kg_is_guess: bool = False
+    loaded: str = "typed"
+    case: str = ""
 
 
 @dataclass

@@ -100,8 +100,8 @@ def test_the_operator_writes_what_the_function_gives(name, tmp_path):
 
 
 COUNTED = ("station", "knuckle")
-UNITS = ("m", "mm", "m2", "m3", "m4", "t", "t/cm", "t m/cm", "deg", "m/rad", "% of Lpp", "-",
-         "see unit", "%", "kn", "m/s", "kN", "kW", "kN/deg")  # fmt: skip
+UNITS = ("m", "mm", "m2", "m3", "m4", "t", "t/cm", "t m/cm", "deg", "m/rad", "m rad",
+         "% of Lpp", "-", "see unit", "%", "kn", "m/s", "kN", "kW", "kN/deg")  # fmt: skip
 
 
 def is_number(cell):

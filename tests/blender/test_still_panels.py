@@ -8,7 +8,11 @@ import bpy
 from addon_under_test import add_hull, compute, part
 from test_panels import Drawn, context
 
-PANELS = ("HULL_PT_stability", "HULL_PT_levers", "HULL_PT_load_cases")
+PANELS = {
+    "HULL_PT_stability": "stability",
+    "HULL_PT_levers": "stability",
+    "HULL_PT_load_cases": "load_cases",
+}
 ANALYSES = ("righting_levers", "load_cases")
 
 
@@ -66,8 +70,8 @@ def drawn():
     """By panel its height and places."""
     found, now = {}, context()
     now.region.width = 300  # as the sidebar usually has it: texts take several lines
-    for name in PANELS:
-        panel = Drawn(getattr(part("panels.stability"), name))
+    for name, module in PANELS.items():
+        panel = Drawn(getattr(part(f"panels.{module}"), name))
         panel.layout = Rows()
         panel.draw(now)
         found[name] = (panel.layout.height, panel.layout.places())

@@ -232,3 +232,61 @@ def test_curves_beside_the_sectional_areas_have_their_colour():
     dashed = [tuple(colour[:3]) for _, colour, _, dashes in sheet.strokes if sum(dashes)]
     assert any(colour == pytest.approx(pink) for colour in dashed)
     assert len(set(dashed)) >= 3
+
+
+# Symbols as they were: only numbers differ, which those of scaled arguments have, too.
+SIZE = 0.3048
+HALVED = hn.PlotUnits({"m": (0.5, "m"), "m²": (0.25, "m²"), "m·rad": (0.5, "m·rad"),
+                       "t": (0.5, "t"), "kN": (0.5, "kN")})  # fmt: skip
+
+
+def test_units_are_those_of_scaled_numbers():
+    """A plot in half metres is that of numbers twice as large: powers of two, so bit by bit."""
+    given = {"gm": 1.5, "vanishing": 1.5, "areas": [(0.0, 0.5, 0.25)], "greatest": (0.8, 1.0)}
+    twice = {**given, "gm": 3.0, "areas": [(0.0, 0.5, 0.5)], "greatest": (0.8, 2.0)}
+    levers = np.sin(2.0 * HEEL)
+    slopes = 2.0 * np.cos(2.0 * HEEL)
+    assert hn.righting_lever_plot(
+        HEEL, levers, slopes=slopes, units=HALVED, **given
+    ) == hn.righting_lever_plot(HEEL, 2.0 * levers, slopes=2.0 * slopes, **twice)
+    x, area = np.linspace(0.0, 10.0, 5), np.array([0.0, 3.0, 4.0, 3.0, 0.0])
+    others = [("other", x, area + 1.0)]
+    assert hn.sectional_area_plot(
+        x, area, lcb=5.0, length_pp=10.0, others=others, frame=((0, 11), (0, 6)), units=HALVED
+    ) == hn.sectional_area_plot(
+        2.0 * x, 4.0 * area, lcb=10.0, length_pp=20.0,
+        others=[("other", 2.0 * x, 4.0 * others[0][2])],
+        frame=((0, 22), (0, 24)),
+    )  # fmt: skip
+    masses, kn = np.array([10.0, 20.0, 30.0]), np.ones((3, 1))
+    assert hn.cross_curves_plot(
+        masses, [0.5], kn, load_t=15.0, units=HALVED
+    ) == hn.cross_curves_plot(2.0 * masses, [0.5], 2.0 * kn, load_t=30.0)
+    outline = [np.array([[0.0, 0.0], [10.0, 2.0]])]
+    areas = np.outer([0.0, 3.0, 0.0], DRAFTS)
+    assert hn.bonjean_plot(
+        x[::2], DRAFTS, areas, outline=outline, draft=2.0, labels="abc", units=HALVED
+    ) == hn.bonjean_plot(
+        2 * x[::2], 2 * DRAFTS, 4 * areas, outline=[2 * outline[0]], draft=4.0, labels="abc"
+    )
+    rows = [{"speed_kn": 5.0, "total_kN": 8.0}, {"speed_kn": 6.0, "total_kN": 16.0}]
+    double = [{**row, "total_kN": 2.0 * row["total_kN"]} for row in rows]
+    assert hn.resistance_plot(rows, units=HALVED) == hn.resistance_plot(double)
+
+
+def test_units_have_their_symbols():
+    feet = hn.PlotUnits({"m": (SIZE, "ft"), "m·rad": (SIZE, "ft·rad")})
+    plot = hn.righting_lever_plot(
+        HEEL, SIZE * np.sin(2.0 * HEEL), gm=2.0 * SIZE, areas=[(0.0, 0.5, SIZE)], units=feet
+    )
+    texts = [label["text"] for label in sheet_of(plot).labels]
+    for wanted in ("Righting lever GZ [ft]", "max 1.000 ft at 45.0°", "GM 2.000 ft"):
+        assert any(wanted in text for text in texts), (wanted, texts)
+    assert any("1.0000 ft·rad" in text for text in texts)
+    with pytest.raises(ValueError, match="above 0"):
+        hn.PlotUnits({"m": (0.0, "ft")})
+
+
+def test_the_load_is_marked_in_cross_curves():
+    plot = hn.cross_curves_plot([10.0, 20.0], [0.5], np.ones((2, 1)), load_t=15.0)
+    assert any(label["text"] == "load 15 t" for label in sheet_of(plot).labels)

@@ -8,17 +8,18 @@ from ..bridge.objects import hull_objects
 from ..features.analyses import live_analyses
 from ..features.stability import criteria
 from .shared import (
+    OUTCOME_ICONS,
+    OUTCOME_WORDS,
     HullPanel,
     draw_entries,
     export_buttons,
     label_value,
     label_wrapped,
     latest_result,
+    metric_field,
     text_field,
 )
 
-_OUTCOME_ICONS = {"pass": "CHECKMARK", "fail": "CANCEL", "not computed": "QUESTION"}
-_OUTCOME_WORDS = {"pass": "met", "fail": "not met", "not computed": "not evaluated"}
 _BOUNDS = {"at least": "≥", "at most": "≤"}
 
 
@@ -45,16 +46,16 @@ class HULL_PT_criteria(HullPanel, bpy.types.Panel):
         export_buttons(self.layout, "criteria")
 
     def _draw_outcome(self, layout, context, paragraph, outcome, failed):
-        text = f"{paragraph} {criteria.NAMES[paragraph]}: {_OUTCOME_WORDS[outcome]}"
+        text = f"{paragraph} {criteria.NAMES[paragraph]}: {OUTCOME_WORDS[outcome]}"
         if failed:
             text += f" ({', '.join(failed)})"
-        label_wrapped(layout, context, text, icon=_OUTCOME_ICONS[outcome])
+        label_wrapped(layout, context, text, icon=OUTCOME_ICONS[outcome])
 
     def _draw_criterion(self, layout, context, one):
         column = layout.column(align=True)
         column.scale_y = 0.8
-        text = f"{one.paragraph} {_OUTCOME_WORDS[one.outcome]}: {one.name}"
-        label_wrapped(column, context, text, icon=_OUTCOME_ICONS[one.outcome])
+        text = f"{one.paragraph} {OUTCOME_WORDS[one.outcome]}: {one.name}"
+        label_wrapped(column, context, text, icon=OUTCOME_ICONS[one.outcome])
         unit = {"rad": "deg", "m·rad": "m rad"}.get(one.unit, one.unit)
         value, limit = (format_value(context.scene, x, unit) for x in (one.value, one.limit))
         label_value(column, value, f"{_BOUNDS[one.bound]} {limit}")
@@ -86,7 +87,7 @@ class HULL_PT_wind(HullPanel, bpy.types.Panel):
         area = draw_entries(layout, wind, "areas", "active_area", "wind_area")
         if area is not None:
             column = layout.column(align=True)
-            column.prop(area, "area")
+            metric_field(column, context, area, "area", "m2")
             column.prop(area, "z")
         column = layout.column(align=True)
         for name in ("lever", "pressure", "keel_area", "roll_period"):

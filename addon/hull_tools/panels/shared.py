@@ -3,6 +3,7 @@
 
 import textwrap
 
+from ..bridge.blender.units import format_value, is_imperial
 from ..bridge.objects import hull_objects
 from ..features import analyses
 from ..features.analyses import live_analyses
@@ -11,6 +12,10 @@ from ..features.analyses import live_analyses
 # and the width of a letter of the interface's font on average.
 _MARGINS = 75
 _LETTER = 6.4
+
+# Of the outcome of a criterion.
+OUTCOME_ICONS = {"pass": "CHECKMARK", "fail": "CANCEL", "not computed": "QUESTION"}
+OUTCOME_WORDS = {"pass": "met", "fail": "not met", "not computed": "not evaluated"}
 
 
 class HullTab:
@@ -73,6 +78,17 @@ def field_or(layout, settings, name, meaning):
         row.active = False
         row.alignment = "RIGHT"
         row.label(text=f"0: {meaning}")
+
+
+def metric_field(layout, context, settings, name, unit):
+    """A number that is in a metric unit of tables whatever the scene's are; below it what that is
+    in the scene's."""
+    layout.prop(settings, name)
+    if is_imperial(context.scene):
+        row = layout.row()
+        row.active = False
+        row.alignment = "RIGHT"
+        row.label(text=f"= {format_value(context.scene, getattr(settings, name), unit)}")
 
 
 def export_buttons(layout, analysis):

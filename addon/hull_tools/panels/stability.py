@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Stability of a load, equilibrium of load cases, plots."""
+"""Stability of a load, plots."""
 
 from math import degrees
 
@@ -19,12 +19,11 @@ from .shared import (
     label_value,
     label_wrapped,
     latest_result,
+    metric_field,
     text_field,
 )
 
-_LEVER_ROWS = 8  # beside the areas
-_EQUILIBRIUM_ROWS = 6
-_MESSAGE_ROWS = 2  # of a load that floats
+_LEVER_ROWS = 9  # beside the areas
 
 
 def _degrees(angle):
@@ -44,7 +43,7 @@ class HULL_PT_stability(HullPanel, bpy.types.Panel):
     def draw(self, context):
         layout = self.layout
         loading = hull_objects.hull_of(context.object).hull.loading
-        self._draw_load(layout, loading)
+        self._draw_load(layout, context, loading)
         layout.separator()
         areas = righting_levers.intervals(afloat.as_typed_angle(loading.heel_greatest))
         rows = _LEVER_ROWS + len(areas)
@@ -53,19 +52,28 @@ class HULL_PT_stability(HullPanel, bpy.types.Panel):
             self._draw_levers(place, context, areas, result)
         export_buttons(layout, "righting_levers")
 
-    def _draw_load(self, layout, loading):
-        layout.prop(loading, "use_displacement")
-        column = layout.column(align=True)
-        if not loading.use_displacement:
-            column.prop(loading, "mass_t")
-        column.prop(loading, "kg")
-        layout.prop(loading, "use_lcb")
-        if not loading.use_lcb:
-            layout.prop(loading, "lcg")
+    def _draw_load(self, layout, context, loading):
+        text_field(layout, loading, "loaded")
+        if loading.loaded == "TYPED":
+            self._draw_typed(layout, context, loading)
+        elif loading.loaded == "CASE":
+            split = layout.split(factor=0.4)
+            split.label(text="Load case")
+            split.prop_search(loading, "loaded_case", loading, "load_cases", text="")
         layout.prop(loading, "free_trim")
         column = layout.column(align=True)
         column.prop(loading, "heel_greatest", text="Heels to")
         column.prop(loading, "heel_step")
+
+    def _draw_typed(self, layout, context, loading):
+        layout.prop(loading, "use_displacement")
+        column = layout.column(align=True)
+        if not loading.use_displacement:
+            metric_field(column, context, loading, "mass_t", "t")
+        column.prop(loading, "kg")
+        layout.prop(loading, "use_lcb")
+        if not loading.use_lcb:
+            layout.prop(loading, "lcg")
 
     def _draw_levers(self, layout, context, areas, result):
         """The numbers; before they are there a dash for each, lest what is below moves then."""
@@ -83,6 +91,7 @@ class HULL_PT_stability(HullPanel, bpy.types.Panel):
 
         line("Mass", load, "mass_t", "t")
         line("LCG", load, "lcg", "m")
+        line("VCG", load, "kg", "m")
         line("GM", found, "gm", "m")
         line("Greatest GZ", found, "greatest_lever", "m")
         line(f"– at heel{self._note(found)}", found, "greatest_lever_heel", "deg")
@@ -126,28 +135,6 @@ class HULL_UL_downflooding_points(bpy.types.UIList):
         layout.prop(item, "name", text="", emboss=False, icon_value=icon)
 
 
-def _equilibrium_icon(found):
-    """Whether the ship floats, floats but not as she was meant to, or does not."""
-    if found.draft_mean is None:
-        return "CANCEL"
-    return "ERROR" if found.message else "CHECKMARK"
-
-
-class HULL_UL_load_cases(bpy.types.UIList):
-    """Names, and the mean drafts as far as they are known."""
-
-    def draw_item(self, context, layout, data, item, icon, active_data, active_property, index):
-        outcome, is_current = analyses.last_outcome(data.id_data, context.scene, "load_cases")
-        equilibria = outcome.result if is_current and outcome is not None else None
-        if equilibria is None or index >= len(equilibria):
-            layout.prop(item, "name", text="", emboss=False)
-            return
-        found = equilibria[index]
-        layout.prop(item, "name", text="", emboss=False, icon=_equilibrium_icon(found))
-        if found.draft_mean is not None:
-            layout.label(text=format_value(context.scene, found.draft_mean, "m"))
-
-
 class HULL_PT_downflooding_points(HullPanel, bpy.types.Panel):
     bl_label = "Openings"
     bl_parent_id = "HULL_PT_stability"
@@ -165,51 +152,6 @@ class HULL_PT_downflooding_points(HullPanel, bpy.types.Panel):
         )
         if point is not None:
             self.layout.column(align=True).prop(point, "position")
-
-
-class HULL_PT_load_cases(HullPanel, bpy.types.Panel):
-    bl_label = "Load Cases"
-    bl_parent_id = "HULL_PT_stability"
-    bl_options = {"DEFAULT_CLOSED"}
-    bl_order = 4
-
-    def draw(self, context):
-        layout = self.layout
-        loading = hull_objects.hull_of(context.object).hull.loading
-        case = draw_entries(layout, loading, "load_cases", "active_load_case", "load_case")
-        if case is None:
-            return
-        column = layout.column(align=True)
-        for name in ("mass_t", "lcg", "tcg", "vcg", "with_weights"):
-            column.prop(case, name)
-        rows = _MESSAGE_ROWS + _EQUILIBRIUM_ROWS
-        equilibria, place = latest_result(layout, context, "load_cases", "Equilibrium", rows)
-        index = loading.active_load_case
-        if equilibria is not None and index < len(equilibria):
-            self._draw_equilibrium(place, context, equilibria[index])
-        elif equilibria is not None or not _outcome(context, "load_cases"):
-            label_wrapped(place, context, "", rows=rows)
-        export_buttons(layout, "load_cases")
-
-    def _draw_equilibrium(self, layout, context, found):
-        """In as many lines, whatever became of the load, lest what is below moves."""
-        text, icon = found.message or "Floats, stable", _equilibrium_icon(found)
-        if found.draft_mean is None:
-            label_wrapped(layout, context, text, icon, _MESSAGE_ROWS + _EQUILIBRIUM_ROWS)
-            return
-        label_wrapped(layout, context, text, icon, _MESSAGE_ROWS)
-        column = layout.column(align=True)
-        column.scale_y = 0.8
-        for name, attribute, unit in (
-            ("Mean draft", "draft_mean", "m"),
-            ("Draft aft", "draft_aft", "m"),
-            ("Draft forward", "draft_forward", "m"),
-            ("Trim", "trim_m", "m"),
-            ("Heel", "heel", "deg"),
-            ("GM", "gm", "m"),
-        ):
-            value = getattr(found, attribute)
-            label_value(column, name, format_value(context.scene, value, unit))
 
 
 class HULL_PT_cross_curves(HullPanel, bpy.types.Panel):
@@ -275,11 +217,9 @@ class HULL_PT_plots(HullPanel, bpy.types.Panel):
 
 CLASSES = (
     HULL_UL_downflooding_points,
-    HULL_UL_load_cases,
     HULL_PT_stability,
     HULL_PT_levers,
     HULL_PT_downflooding_points,
-    HULL_PT_load_cases,
     HULL_PT_cross_curves,
     HULL_PT_stability_remarks,
     HULL_PT_plots,

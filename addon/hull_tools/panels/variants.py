@@ -3,7 +3,7 @@
 
 import bpy
 
-from ..bridge.blender.units import format_value
+from ..bridge.blender.units import format_value, in_unit
 from ..bridge.objects import hull_objects
 from ..features.flotation import hydrostatics
 from ..features.hull import hull_state
@@ -168,8 +168,9 @@ def _draw_distances(column, scene, found):
         if at is not None:
             label_value(column, "at x", format_value(scene, at[0], "m"))
             # Rounded to zero a number may still have a minus.
-            y, z = (round(part, 2) + 0.0 for part in at[1:])
-            label_value(column, "y, z", f"{y:.2f}, {z:.2f} m")
+            (y, symbol), (z, _) = (in_unit(scene, part, "m") for part in at[1:])
+            y, z = round(y, 2) + 0.0, round(z, 2) + 0.0
+            label_value(column, "y, z", f"{y:.2f}, {z:.2f} {symbol}")
     label_value(column, "Mean size", format_value(scene, found.mean_size, "m"))
     label_value(column, "RMS", format_value(scene, found.rms, "m"))
     label_value(column, "Beyond", f"{100.0 * (1.0 - found.share):.2f} % of area")

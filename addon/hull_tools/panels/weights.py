@@ -5,7 +5,14 @@ import bpy
 
 from ..bridge.blender.units import format_value
 from ..bridge.objects import hull_objects
-from .shared import HullPanel, draw_entries, export_buttons, label_value, latest_result
+from .shared import (
+    HullPanel,
+    draw_entries,
+    export_buttons,
+    label_value,
+    latest_result,
+    metric_field,
+)
 
 _ROWS = 4  # of the sum
 
@@ -35,7 +42,8 @@ class HULL_PT_weights(HullPanel, bpy.types.Panel):
         item = draw_entries(layout, weights, "items", "active_item", "weight")
         if item is not None:
             column = layout.column(align=True)
-            for name in ("mass_t", "lcg", "tcg", "vcg"):
+            metric_field(column, context, item, "mass_t", "t")
+            for name in ("lcg", "tcg", "vcg"):
                 column.prop(item, name)
         result, place = latest_result(layout, context, "weights", "Sum", _ROWS)
         self._draw_sum(place, context, None if result is None else result.total)

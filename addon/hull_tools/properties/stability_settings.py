@@ -8,6 +8,7 @@ import bpy
 from bpy.props import (
     BoolProperty,
     CollectionProperty,
+    EnumProperty,
     FloatVectorProperty,
     IntProperty,
     StringProperty,
@@ -45,7 +46,21 @@ def _kg_given(settings, context):
 
 
 class HullLoading(bpy.types.PropertyGroup):
-    """The load whose stability is looked at, and the load cases whose equilibrium is."""
+    """The load whose stability is looked at, and the load cases that are looked at beside it."""
+
+    loaded: EnumProperty(
+        name="Loaded",
+        description="What levers, criteria and cross curves are of",
+        items=(
+            ("TYPED", "As given here", "The mass and centre of gravity given below"),
+            ("WEIGHTS", "The weights", "The sum of Weights: the ship without load"),
+            ("CASE", "A load case", "The one that is chosen below, as Load Cases have it"),
+        ),
+        update=changed,
+    )
+    loaded_case: StringProperty(
+        name="Load case", description="The load case that is loaded", update=changed
+    )
 
     use_displacement: BoolProperty(
         name="Mass as afloat",

@@ -7,16 +7,10 @@
 namespace hull::analysis {
 namespace {
 
-using Eigen::Vector2d;
-
 constexpr int kParts = 16;             // of each side of a patch
 constexpr double kAcrossShip = 0.999;  // cosine of the angle to the ship's transverse axis
 
 Vector2d seen(const Vector3d& p) { return {p.x(), p.z()}; }
-
-double turn(const Vector2d& a, const Vector2d& b, const Vector2d& c) {
-  return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
-}
 
 // Andrew's monotone chain (1979), counter-clockwise.
 std::vector<Vector2d> convex_hull(std::vector<Vector2d> points) {
@@ -26,7 +20,8 @@ std::vector<Vector2d> convex_hull(std::vector<Vector2d> points) {
   std::sort(points.begin(), points.end(), before);
   std::vector<Vector2d> chain;
   const auto extend = [&](const Vector2d& p, std::size_t first) {
-    while (chain.size() >= first + 2 && turn(chain.end()[-2], chain.end()[-1], p) <= 0.0) {
+    while (chain.size() >= first + 2 &&
+           cross(chain.end()[-1] - chain.end()[-2], p - chain.end()[-2]) <= 0.0) {
       chain.pop_back();
     }
     chain.push_back(p);

@@ -11,7 +11,7 @@ constexpr double kNoWidth = 1e-13;  // of the whole range
 
 // A line that runs forward; `way` is -1 where its outline runs aft along it.
 struct Edge {
-  Eigen::Vector2d from, to;
+  Vector2d from, to;
   int outline, way;
 
   double at(double x) const {
@@ -31,7 +31,7 @@ Range range_of(const std::vector<ProfileOutline>& outlines) {
   for (const ProfileOutline& outline : outlines) {
     if (is_hull(outline) && !several) continue;
     for (const auto& line : outline.lines) {
-      for (const Eigen::Vector2d& p : line) {
+      for (const Vector2d& p : line) {
         range.low = std::min(range.low, p.x());
         range.high = std::max(range.high, p.x());
       }

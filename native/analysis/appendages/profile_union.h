@@ -13,7 +13,7 @@ namespace hull::analysis {
 // through the same way round. Lines upright are not needed.
 struct ProfileOutline {
   MemberRole role;
-  std::vector<std::array<Eigen::Vector2d, 2>> lines;
+  std::vector<std::array<Vector2d, 2>> lines;
 };
 
 // A trapezoid with upright sides at x[0] and x[1], from low to high there, m; `times` it counts

@@ -11,8 +11,6 @@
 namespace hull::analysis {
 namespace {
 
-using Eigen::Vector2d;
-
 constexpr int kBorderChords = 32, kArcChords = 16;
 
 // Chords of a curve between two parameters; at(t) gives (x, z).

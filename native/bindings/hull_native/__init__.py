@@ -185,6 +185,7 @@ _LATER = {
     "bonjean_plot": ".plots",
     "righting_lever_plot": ".plots",
     "cross_curves_plot": ".plots",
+    "PlotUnits": ".plot_units",
 }
 
 

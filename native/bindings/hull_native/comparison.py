@@ -18,6 +18,7 @@ _ALONG = (
     "lcb",
     "lcf",
     "lateral_x",
+    "wind_x",
     "waterline_aft",
     "waterline_forward",
     "midship_section.position",

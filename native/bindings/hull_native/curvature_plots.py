@@ -7,6 +7,7 @@ import numpy as np
 
 from ._core import section
 from ._drawing import Plot
+from .plot_units import METRIC
 
 _AXES = {"x": ("Station", "x"), "y": ("Buttock", "y"), "z": ("Waterline", "z")}
 
@@ -57,21 +58,34 @@ def _is_backwards(points, axis):
     return bool(points[0, 2] > points[-1, 2])
 
 
-def curvature_plot(surface, axis, position, *, radius=None, others=(), name="", title=None):
+def curvature_plot(
+    surface, axis, position, *, radius=None, others=(), name="", title=None, units=METRIC
+):
     """The Plot of curvature over girth of a section: of the LimitSurface, and, dashed, of others,
     (name, LimitSurface) each, where they have a section there. radius, m: a circle's curvature as a
-    line across; None for none. ValueError as section_curvature(), and for a radius that is none."""
+    line across; None for none. units: PlotUnits. ValueError as section_curvature(), and for a
+    radius that is none."""
     own = section_curvature(surface, axis, position)
     word, letter = _AXES[axis]
-    plot = Plot(title or "Curvature along a section", [f"{word} at {letter} = {position:g} m"])
-    plot.add_x_axis("Girth", "m", from_zero=True)
-    plot.set_y_axis("Curvature", "1/m", from_zero=True)
-    plot.add_curve(name or "Hull", own.girth, own.curvature)
+    plot = Plot(
+        title or "Curvature along a section", [f"{word} at {letter} = {_g(position, units)}"]
+    )
+    plot.add_x_axis("Girth", units.symbol("m"), from_zero=True)
+    plot.set_y_axis("Curvature", units.symbol("1/m"), from_zero=True)
+    plot.add_curve(name or "Hull", *_shown(own, units))
     for other_name, other in others:
         found = section_curvature(other, axis, position)
-        plot.add_curve(other_name, found.girth, found.curvature, style="dashed")
+        plot.add_curve(other_name, *_shown(found, units), style="dashed")
     if radius is not None:
         if not (radius > 0.0 and np.isfinite(radius)):
             raise ValueError(f"A circle's radius is a positive length, not {radius:g}.")
-        plot.add_line(y=1.0 / radius, label=f"Circle R {radius:g} m")
+        plot.add_line(y=units.of(1.0 / radius, "1/m"), label=f"Circle R {_g(radius, units)}")
     return plot
+
+
+def _shown(found, units):
+    return units.of(found.girth, "m"), units.of(found.curvature, "1/m")
+
+
+def _g(length, units):
+    return f"{units.of(length, 'm'):g} {units.symbol('m')}"

@@ -2,7 +2,8 @@
 """The diagrams of a ship's hydrostatics and stability, as `Plot` for `write_plot` and the screen.
 
 Arguments are in metres, radians and tonnes, as everywhere in hull_native; diagrams show heel in
-degrees. What is optional is marked where it is given.
+degrees, and what else is told by `units`, a PlotUnits. What is optional is marked where it is
+given.
 """
 
 from dataclasses import dataclass
@@ -11,6 +12,7 @@ from operator import attrgetter
 import numpy as np
 
 from ._drawing import Plot
+from .plot_units import METRIC, figures
 
 # In the diagram of hydrostatic curves, metacentres higher than so many times that at the deepest
 # draft go out of sight: at small drafts they are far above all else.
@@ -41,6 +43,7 @@ def sectional_area_plot(
     length_pp=None,
     others=(),
     frame=None,
+    units=METRIC,
 ):
     """Areas (n,) in m² of the immersed sections at x (n,) in m.
 
@@ -49,32 +52,41 @@ def sectional_area_plot(
     area, colour), sRGB or None.
     frame: ((low, high) of x, (low, high) of areas) that the axes show; None: what the curves need.
     """
-    x, area = _same_length(x, area, "x", "area")
+    metres, square = units.symbol("m"), units.symbol("m²")
+    x, area = _areas_along(x, area, units)
     plot = Plot(title, list(subtitles))
-    x_range, area_range = frame or (None, None)
-    plot.add_x_axis("x from the after perpendicular", "m", range=x_range)
-    plot.set_y_axis("Immersed sectional area", "m²", range=area_range, from_zero=True)
+    x_range, area_range = (None, None)
+    if frame is not None:
+        x_range = tuple(units.of(end, "m") for end in frame[0])
+        area_range = tuple(units.of(end, "m²") for end in frame[1])
+    plot.add_x_axis("x from the after perpendicular", metres, range=x_range)
+    plot.set_y_axis("Immersed sectional area", square, range=area_range, from_zero=True)
     curve = plot.add_curve("Sectional area", x, area)
     if x.size > 1:
         plot.add_area(curve, np.nanmin(x), np.nanmax(x), "")
     for name, other_x, other_area, *colour in others:
-        where = _same_length(other_x, other_area, "x", "area")
+        where = _areas_along(other_x, other_area, units)
         plot.add_curve(name, *where, style="dashed", colour=colour[0] if colour else None)
     top = _maximum(x, area)
     if top is not None:
         level = x[area >= (1.0 - _LEVEL) * top[1]]
-        label = f"largest {_figures(top[1])} m²"
+        label = f"largest {figures(top[1])} {square}"
         if level.size == 1:
-            label += f" at {_figures(top[0])} m"
+            label += f" at {figures(top[0])} {metres}"
         # A parallel midbody has no one place of the largest area.
         middle = level[np.abs(level - level.mean()).argmin()]
         plot.add_marker(float(middle), top[1], label, curve=curve)
     if length_pp is not None:
         for at, label in ((0.0, "AP"), (0.5 * length_pp, "midship"), (length_pp, "FP")):
-            plot.add_line(x=at, label=label)
+            plot.add_line(x=units.of(at, "m"), label=label)
     if lcb is not None:
-        plot.add_line(x=lcb, label=f"LCB {_figures(lcb)} m")
+        plot.add_line(x=units.of(lcb, "m"), label=f"LCB {units.figures(lcb, 'm')}")
     return plot
+
+
+def _areas_along(x, area, units):
+    x, area = _same_length(x, area, "x", "area")
+    return units.of(x, "m"), units.of(area, "m²")
 
 
 @dataclass(frozen=True)
@@ -110,7 +122,13 @@ _FROM_ZERO = {"displacement", "volume", "area", "vertical", "metacentre", "immer
 
 
 def hydrostatic_curves_plot(
-    rows, *, title="Hydrostatic curves", subtitles=(), draft=None, quantities=None
+    rows,
+    *,
+    title="Hydrostatic curves",
+    subtitles=(),
+    draft=None,
+    quantities=None,
+    units=METRIC,
 ):
     """Hydrostatics over the draft, which is upright; every quantity on a scale of its own.
 
@@ -125,22 +143,22 @@ def hydrostatic_curves_plot(
         quantities = [q for q in QUANTITIES if _known(rows, q)]
         if any(q.scale == "displacement" for q in quantities):
             quantities = [q for q in quantities if q.scale != "volume"]
-    drafts = np.array([row.draft for row in rows], dtype=float)
+    drafts = units.of(np.array([row.draft for row in rows], dtype=float), "m")
     plot = Plot(title, list(subtitles))
-    plot.set_y_axis("Draft", "m")
+    plot.set_y_axis("Draft", units.symbol("m"))
     axes = {}
     for number, quantity in enumerate(quantities):
-        values = np.array([_get(row, quantity) for row in rows], dtype=float)
+        values = units.of(np.array([_get(row, quantity) for row in rows], float), quantity.unit)
         if quantity.scale not in axes:
             columns = [
-                [_get(row, other) for row in rows]
+                units.of(np.array([_get(row, other) for row in rows], float), other.unit)
                 for other in quantities
                 if other.scale == quantity.scale
             ]
             axes[quantity.scale] = plot.add_x_axis(
                 quantity.name,
-                quantity.unit,
-                range=_range_of(quantity.scale, drafts, np.array(columns, dtype=float)),
+                units.symbol(quantity.unit),
+                range=_range_of(quantity.scale, drafts, np.array(columns)),
                 from_zero=quantity.scale in _FROM_ZERO,
             )
         heights, fair_values = _fair(drafts, values)
@@ -153,7 +171,7 @@ def hydrostatic_curves_plot(
             style="solid" if number < 8 else "dashed",
         )
     if draft is not None:
-        plot.add_line(y=draft, label=f"T {_figures(draft)} m")
+        plot.add_line(y=units.of(draft, "m"), label=f"T {units.figures(draft, 'm')}")
     return plot
 
 
@@ -191,31 +209,33 @@ def bonjean_plot(
     outline=(),
     draft=None,
     labels=None,
+    units=METRIC,
 ):
     """Each station's immersed area over the draft, drawn from the station's place in the profile.
 
     stations (n,): x in m; drafts (m,) in m above the base line; areas (n, m) in m². outline: curves
     (k, 2) of x and z in m, the ship's profile. draft (m) is marked. labels: the stations' names.
     """
-    stations, drafts = _numbers(stations, "stations"), _numbers(drafts, "drafts")
-    areas = np.asarray(areas, dtype=float)
+    stations = units.of(_numbers(stations, "stations"), "m")
+    drafts = units.of(_numbers(drafts, "drafts"), "m")
+    areas = units.of(np.asarray(areas, dtype=float), "m²")
     if areas.shape != (stations.size, drafts.size):
         raise ValueError(
             f"areas must have shape ({stations.size}, {drafts.size}), a row for each station and a "
             f"column for each draft, not {areas.shape}."
         )
     if labels is None:
-        labels = [_figures(x) for x in stations]
+        labels = [figures(x) for x in stations]
     if len(labels) != stations.size:
         raise ValueError(f"There are {len(labels)} labels for {stations.size} stations.")
     spacing = _typical_spacing(stations)
     largest = float(np.max(areas[np.isfinite(areas)], initial=0.0))
     area_per_spacing = _round_number(largest / _BONJEAN_WIDTH) if largest > 0.0 else 1.0
     plot = Plot(title, list(subtitles))
-    plot.add_x_axis("x from the after perpendicular", "m")
-    plot.set_y_axis("Height above base", "m", from_zero=True)
+    plot.add_x_axis("x from the after perpendicular", units.symbol("m"))
+    plot.set_y_axis("Height above base", units.symbol("m"), from_zero=True)
     for curve in outline:
-        curve = np.asarray(curve, dtype=float).reshape(-1, 2)
+        curve = units.of(np.asarray(curve, dtype=float).reshape(-1, 2), "m")
         if not np.ptp(curve, axis=0).any():
             continue  # an edge across the ship
         plot.add_curve("", curve[:, 0], curve[:, 1], colour=(0.55, 0.55, 0.55))
@@ -228,8 +248,8 @@ def bonjean_plot(
         curve = x + row / area_per_spacing * spacing
         plot.add_curve("", curve, drafts, symbol=label, colour=colour)
     if draft is not None:
-        plot.add_line(y=draft, label=f"T {_figures(draft)} m")
-    plot.add_bar(spacing, f"area of {_figures(area_per_spacing)} m²")
+        plot.add_line(y=units.of(draft, "m"), label=f"T {units.figures(draft, 'm')}")
+    plot.add_bar(spacing, f"area of {figures(area_per_spacing)} {units.symbol('m²')}")
     return plot
 
 
@@ -250,6 +270,7 @@ def righting_lever_plot(
     deck_edge=None,
     downflooding=None,
     areas=(),
+    units=METRIC,
 ):
     """GZ (n,) in m over heel (n,) in rad; between the angles given the curve is interpolated.
 
@@ -260,32 +281,33 @@ def righting_lever_plot(
     """
     heel, gz = _same_length(heel, gz, "heel", "gz")
     if slopes is not None:
-        slopes = np.radians(_same_length(heel, slopes, "heel", "slopes")[1])
+        slopes = units.of(np.radians(_same_length(heel, slopes, "heel", "slopes")[1]), "m")
+    gz, gm, metres = units.of(gz, "m"), units.of(gm, "m"), units.symbol("m")
     angles, levers = _fair(np.degrees(heel), gz, slopes)
     plot = Plot(title, list(subtitles))
     plot.add_x_axis("Heel φ", "°")
-    plot.set_y_axis("Righting lever GZ", "m", range=_righting_range(levers, gm), from_zero=True)
+    plot.set_y_axis("Righting lever GZ", metres, range=_righting_range(levers, gm), from_zero=True)
     curve = plot.add_curve("GZ", angles, levers)
     for start, end, value in areas:
         start_deg, end_deg = np.degrees(start), np.degrees(end)
-        label = f"area {start_deg:.4g}° to {end_deg:.4g}°: {value:.4f} m·rad"
+        label = f"area {start_deg:.4g}° to {end_deg:.4g}°: {units.fixed(value, 'm·rad', 4)}"
         plot.add_area(curve, start_deg, end_deg, label)
     top = _maximum(angles, levers)
     if greatest is not None:
-        top = (np.degrees(greatest[0]), greatest[1])
+        top = (np.degrees(greatest[0]), units.of(greatest[1], "m"))
     if top is not None:
-        plot.add_marker(*top, f"max {top[1]:.3f} m at {top[0]:.1f}°", curve=curve)
+        plot.add_marker(*top, f"max {top[1]:.3f} {metres} at {top[0]:.1f}°", curve=curve)
     if gm is not None:
         radian = np.degrees(1.0)
         guide = plot.add_curve(
-            f"tangent: GM {gm:.3f} m at 1 rad",
+            f"tangent: GM {gm:.3f} {metres} at 1 rad",
             [0.0, radian],
             [0.0, gm],
             colour=(0.35, 0.35, 0.35),
             style="dashed",
             guide=True,
         )
-        plot.add_marker(radian, gm, f"GM {gm:.3f} m", curve=guide)
+        plot.add_marker(radian, gm, f"GM {gm:.3f} {metres}", curve=guide)
     if vanishing is not None:
         plot.add_marker(np.degrees(vanishing), 0.0, f"φv {np.degrees(vanishing):.1f}°", curve=curve)
     for angle, name in ((deck_edge, "deck edge"), (downflooding, "downflooding")):
@@ -295,11 +317,19 @@ def righting_lever_plot(
 
 
 def cross_curves_plot(
-    displacement_t, heels, kn, *, title="Cross curves of stability", subtitles=()
+    displacement_t,
+    heels,
+    kn,
+    *,
+    title="Cross curves of stability",
+    subtitles=(),
+    load_t=None,
+    units=METRIC,
 ):
     """KN levers over the displacement, a curve for each angle of heel.
 
     displacement_t (n,) in t; heels (m,) in rad; kn (n, m) in m from the base line.
+    load_t (t) is marked.
     """
     displacement_t, heels = _numbers(displacement_t, "displacement_t"), _numbers(heels, "heels")
     kn = np.asarray(kn, dtype=float)
@@ -309,13 +339,16 @@ def cross_curves_plot(
             f"displacement and a column for each heel, not {kn.shape}."
         )
     plot = Plot(title, list(subtitles))
-    plot.add_x_axis("Displacement Δ", "t")
-    plot.set_y_axis("KN", "m", from_zero=True)
+    displacement_t, kn = units.of(displacement_t, "t"), units.of(kn, "m")
+    plot.add_x_axis("Displacement Δ", units.symbol("t"))
+    plot.set_y_axis("KN", units.symbol("m"), from_zero=True)
     for number, heel in enumerate(heels):
         angle = f"{np.degrees(heel):.4g}°"
         style = "solid" if number < 8 else "dashed"
         curve = _fair(displacement_t, kn[:, number])
         plot.add_curve(f"heel {angle}", *curve, symbol=angle, style=style)
+    if load_t is not None:
+        plot.add_line(x=units.of(load_t, "t"), label=f"load {units.figures(load_t, 't')}")
     return plot
 
 
@@ -331,11 +364,6 @@ def _same_length(x, y, x_name, y_name):
     if x.size != y.size:
         raise ValueError(f"{x_name} has {x.size} numbers and {y_name} {y.size}; as many are needed")
     return x, y
-
-
-def _figures(value):
-    """Four figures, without trailing zeros and without an exponent for usual sizes."""
-    return f"{value:.4g}" if abs(value) < 1e4 else f"{value:.0f}"
 
 
 def _typical_spacing(stations):

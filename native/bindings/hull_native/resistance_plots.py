@@ -7,6 +7,7 @@ import math
 import numpy as np
 
 from ._drawing import Plot
+from .plot_units import METRIC
 
 # Parts in the order in which they are drawn, by the columns of a table.
 _PARTS = (
@@ -23,12 +24,12 @@ _PARTS = (
 )
 
 
-def resistance_plot(rows, *, title="Resistance", subtitles=(), others=()):
+def resistance_plot(rows, *, title="Resistance", subtitles=(), others=(), units=METRIC):
     """Total resistance and its parts over the speed in knots.
 
     rows: of michell_table(), holtrop_table(), savitsky_table() or delft_table(), one at least.
     others: pairs (name, rows) whose totals are drawn dashed beside it, such as another hull's or
-    method's. ValueError for no rows.
+    method's. units: PlotUnits. ValueError for no rows.
     """
     rows = list(rows)
     if not rows:
@@ -36,14 +37,15 @@ def resistance_plot(rows, *, title="Resistance", subtitles=(), others=()):
     speeds = _column(rows, "speed_kn")
     plot = Plot(title, list(subtitles))
     plot.add_x_axis("Speed", "kn")
-    plot.set_y_axis("Resistance", "kN", from_zero=True)
-    plot.add_curve("Total", speeds, _column(rows, "total_kN"), symbol="RT")
+    plot.set_y_axis("Resistance", units.symbol("kN"), from_zero=True)
+    plot.add_curve("Total", speeds, units.of(_column(rows, "total_kN"), "kN"), symbol="RT")
     for name, columns in _PARTS:
         values = sum(_column(rows, column) for column in columns if column in rows[0])
         if np.any(values):
-            plot.add_curve(name, speeds, values)
+            plot.add_curve(name, speeds, units.of(values, "kN"))
     for name, other in others:
-        plot.add_curve(name, _column(other, "speed_kn"), _column(other, "total_kN"), style="dashed")
+        total = units.of(_column(other, "total_kN"), "kN")
+        plot.add_curve(name, _column(other, "speed_kn"), total, style="dashed")
     return plot
 
 
@@ -58,11 +60,13 @@ _INK = (0.12, 0.32, 0.55)
 _REACH = 3.0
 
 
-def wave_spectrum_plot(directions_deg, power, *, title="Free-wave spectrum", subtitles=()):
+def wave_spectrum_plot(
+    directions_deg, power, *, title="Free-wave spectrum", subtitles=(), units=METRIC
+):
     """Wave resistance of both sides by the direction of the free waves: power (n,) in kN per degree
     over directions_deg (n,), 0 for waves that run along with the ship. The areas are the
-    resistance: of transverse waves up to 35.3°, and of diverging ones. ValueError for less than two
-    directions, or others than rise."""
+    resistance: of transverse waves up to 35.3°, and of diverging ones. units: PlotUnits. ValueError
+    for less than two directions, or others than rise."""
     angles, power = (np.asarray(values, dtype=float) for values in (directions_deg, power))
     if angles.shape != power.shape or angles.ndim != 1 or angles.size < 2:
         raise ValueError("directions_deg and power need one length, of two at least.")
@@ -70,8 +74,8 @@ def wave_spectrum_plot(directions_deg, power, *, title="Free-wave spectrum", sub
         raise ValueError("directions_deg must rise.")
     plot = Plot(title, list(subtitles))
     plot.add_x_axis("Direction of the waves from the ship's", "°", range=(0.0, 90.0))
-    plot.set_y_axis("Resistance", "kN/°", from_zero=True)
-    curve = plot.add_curve("Wave resistance", angles, power)
+    plot.set_y_axis("Resistance", f"{units.symbol('kN')}/°", from_zero=True)
+    curve = plot.add_curve("Wave resistance", angles, units.of(power, "kN"))
     share = transverse_share(angles, power)
     plot.add_area(curve, float(angles[0]), _CUSP_DEG, f"transverse waves {100.0 * share:.0f} %")
     plot.add_line(x=_CUSP_DEG, label=f"cusp {_CUSP_DEG:.1f}°")
@@ -88,12 +92,13 @@ def transverse_share(directions_deg, power):
     return float(areas[both[1:] <= _CUSP_DEG].sum() / total) if total > 0.0 else 0.0
 
 
-def wave_pattern_plot(x, y, heights, *, title="Wave pattern", subtitles=()):
+def wave_pattern_plot(x, y, heights, *, title="Wave pattern", subtitles=(), units=METRIC):
     """The water behind a ship as cuts along her track: heights (m, n) in m at x (n,), m abaft the
     stern, on cuts y (m,), m from the track to one side; to the other side the same is drawn. Each
     cut stands at its y, heights so many times as large that the pattern is seen; the subtitle says
-    how many times. ValueError for shapes that do not go together, or less than two cuts."""
-    x, y, heights = (np.asarray(values, dtype=float) for values in (x, y, heights))
+    how many times. units: PlotUnits. ValueError for shapes that do not go together, or less than
+    two cuts."""
+    x, y, heights = (units.of(np.asarray(values, dtype=float), "m") for values in (x, y, heights))
     if heights.shape != (y.size, x.size) or y.size < 2 or x.size < 2:
         raise ValueError(
             f"heights must be of shape (cuts, points), two each at least, not {heights.shape} for "
@@ -103,8 +108,8 @@ def wave_pattern_plot(x, y, heights, *, title="Wave pattern", subtitles=()):
     times = _round_below(_REACH * spacing / max(float(np.abs(heights).max()), 1e-12))
     plot = Plot(title, [*subtitles, f"heights {times:g} times as large"])
     reach = float(np.abs(y).max()) + spacing
-    plot.add_x_axis("Abaft the stern", "m", range=(0.0, float(x.max())))
-    plot.set_y_axis("From the track", "m", range=(-reach, reach))
+    plot.add_x_axis("Abaft the stern", units.symbol("m"), range=(0.0, float(x.max())))
+    plot.set_y_axis("From the track", units.symbol("m"), range=(-reach, reach))
     for at, cut in zip(y, heights):
         for side in (1.0, -1.0) if at else (1.0,):
             plot.add_curve("", x, side * at + times * cut, colour=_INK, guide=True)

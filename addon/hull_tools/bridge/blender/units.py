@@ -5,6 +5,7 @@ Blender's own length is the "unit"; `metres_per_unit` of the scene turns it into
 unit system (NONE) a unit is a metre.
 """
 
+from dataclasses import dataclass
 from math import degrees
 
 import numpy as np
@@ -13,6 +14,7 @@ _FOOT = 0.3048
 _INCH = 0.0254
 _LONG_TON = 1.0160469088
 _POUND_FORCE = 0.0044482216152605  # kN
+_POUND_A_CUBIC_FOOT = 0.01601846337396014  # t/m³
 _HORSEPOWER = 0.74569987158227022  # kW
 
 # By the unit of tables: what the panels write, and for the imperial system the size of its unit.
@@ -22,6 +24,7 @@ _METRIC_SYMBOLS = {
     "m3": "m³",
     "m4": "m⁴",
     "t": "t",
+    "t/m3": "t/m³",
     "t/cm": "t/cm",
     "t m/cm": "t·m/cm",
     "m rad": "m·rad",
@@ -35,6 +38,7 @@ _IMPERIAL = {
     "m3": (_FOOT**3, "ft³"),
     "m4": (_FOOT**4, "ft⁴"),
     "t": (_LONG_TON, "LT"),
+    "t/m3": (_POUND_A_CUBIC_FOOT, "lb/ft³"),
     "t/cm": (_LONG_TON * 0.01 / _INCH, "LT/in"),
     "t m/cm": (_LONG_TON * _FOOT * 0.01 / _INCH, "LT·ft/in"),
     "m rad": (_FOOT, "ft·rad"),
@@ -42,6 +46,40 @@ _IMPERIAL = {
     "kN": (_POUND_FORCE, "lbf"),
     "kW": (_HORSEPOWER, "hp"),
 }
+
+
+@dataclass(frozen=True)
+class Shown:
+    """The system of units in which numbers are shown: for threads, which ask no scene."""
+
+    is_imperial: bool = False
+
+    def in_unit(self, value, unit):
+        """(number, symbol) of a value in a unit of tables."""
+        if self.is_imperial:
+            size, symbol = _IMPERIAL[unit]
+            return value / size, symbol
+        return value, _METRIC_SYMBOLS[unit]
+
+    def text(self, value, unit, decimals=None):
+        """The same as text; decimals: None for as many as tables have."""
+        number, symbol = self.in_unit(value, unit)
+        digits = _digits(number) if decimals is None else f"{number:.{decimals}f}"
+        return f"{digits} {symbol}"
+
+    def plot_sizes(self):
+        """Of hull_native.PlotUnits."""
+        if not self.is_imperial:
+            return {}
+        sizes = {_METRIC_SYMBOLS[unit]: found for unit, found in _IMPERIAL.items()}
+        return {**sizes, "1/m": (1.0 / _FOOT, "1/ft")}
+
+
+METRIC = Shown()
+
+
+def shown_in(scene):
+    return Shown(is_imperial(scene))
 
 
 def metres_per_unit(scene):
@@ -77,16 +115,12 @@ def format_value(scene, value, unit):
         return f"{value:.2f} %"
     if not unit:
         return f"{value:.4f}"
-    number, symbol = in_unit(scene, value, unit)
-    return f"{_digits(number)} {symbol}"
+    return shown_in(scene).text(value, unit)
 
 
 def in_unit(scene, value, unit):
     """(number, symbol) of a value in a unit of tables, in the scene's system."""
-    if is_imperial(scene):
-        size, symbol = _IMPERIAL[unit]
-        return value / size, symbol
-    return value, _METRIC_SYMBOLS[unit]
+    return shown_in(scene).in_unit(value, unit)
 
 
 _SUPERSCRIPTS = str.maketrans("²³⁴·", "234 ")

@@ -7,7 +7,8 @@ Each module of ANALYSES is one analysis:
   compute         (ship.Ship, inputs) → its result; no Blender in it: it may run in a thread, and
                   tells the ship's progress where it may take seconds
   header, rows    (result) → its table: names with units, and rows of numbers and texts
-  plot            (result, name of the hull) → hull_native.Plot; absent where nothing is drawn.
+  plot            (result, name of the hull, shown=units.Shown) → hull_native.Plot; absent where
+                  nothing is drawn.
                   Those of DRAWN_BESIDE take the beside.Curves of other hulls, too
 What a user can get wrong raises ValueError in `inputs` and `compute`.
 """
@@ -136,10 +137,10 @@ def others_beside(state, name):
     return state.of(beside.Beside).of(name) if name in DRAWN_BESIDE else ()
 
 
-def plot_of(name, result, title, others=()):
-    """The hull_native.Plot of a result; others: others_beside. ValueError when it cannot be
-    drawn."""
-    return PLOTTED[name].plot(result, title, *([others] if others else []))
+def plot_of(name, result, title, others=(), shown=units.METRIC):
+    """The hull_native.Plot of a result; others: others_beside; shown: a units.Shown. ValueError
+    when it cannot be drawn."""
+    return PLOTTED[name].plot(result, title, *([others] if others else []), shown=shown)
 
 
 def last_outcome(obj, scene, name):

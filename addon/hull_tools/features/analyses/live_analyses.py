@@ -11,7 +11,7 @@ from time import monotonic
 import bpy
 
 from ...bridge.background import timers, worker
-from ...bridge.blender import redraw
+from ...bridge.blender import redraw, units
 from ...bridge.objects import hull_objects
 from .. import analyses
 from ..hull import hull_state
@@ -118,11 +118,12 @@ def _plots_of(obj, scene, name):
     if outcome is None or outcome.result is None:
         return []
     others = analyses.others_beside(hull_state.state_of(obj), name)
-    drawn = (id(outcome.result), obj.name, *map(id, others))
+    shown = units.shown_in(scene)
+    drawn = (id(outcome.result), obj.name, shown, *map(id, others))
     known, plot, _ = _plot_cache.get(name, (None, None, None))
     if known != drawn:
         try:
-            plot = analyses.plot_of(name, outcome.result, obj.name, others)
+            plot = analyses.plot_of(name, outcome.result, obj.name, others, shown)
         except ValueError:
             return []  # nothing of it can be drawn
         # Kept, so that their identities stay theirs.

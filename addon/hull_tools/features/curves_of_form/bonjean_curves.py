@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...bridge import native
-from ...bridge.blender.units import as_typed
+from ...bridge.blender.units import METRIC, as_typed
 from ..flotation import afloat
 from ..lines.line_places import station_spaces
 
@@ -76,7 +76,7 @@ def rows(result):
                    found.breadths[i, j]]  # fmt: skip
 
 
-def plot(result, name):
+def plot(result, name, shown=METRIC):
     found = result.curves
     every = -(-len(found.stations) // _MOST_PLOTTED)
     chosen = np.arange(0, len(found.stations), every)
@@ -87,4 +87,5 @@ def plot(result, name):
         subtitles=[name],
         draft=result.inputs.draft,
         labels=[str(number) for number in chosen],
+        units=native.require().PlotUnits(shown.plot_sizes()),
     )

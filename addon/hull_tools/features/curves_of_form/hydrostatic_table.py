@@ -9,7 +9,7 @@ import numpy as np
 
 from ....hull_io.number_lists import numbers
 from ...bridge import limits, native
-from ...bridge.blender.units import as_typed
+from ...bridge.blender.units import METRIC, as_typed
 from ..flotation import afloat, hydrostatics
 from .ranges import stepped
 
@@ -115,12 +115,13 @@ def _in_unit(value, unit):
     return degrees(value) if unit == "deg" and value is not None else value
 
 
-def plot(result, name):
+def plot(result, name, shown=METRIC):
     trim_m = result.inputs.trims[0]
-    at = "even keel" if trim_m == 0.0 else f"trim {trim_m:g} m by the stern"
-    density = f"water {result.inputs.where.water_density:g} t/m³"
+    at = "even keel" if trim_m == 0.0 else f"trim {shown.text(trim_m, 'm')} by the stern"
+    density = f"water {shown.text(result.inputs.where.water_density, 't/m3')}"
     return native.require().hydrostatic_curves_plot(
         result.curves,
         subtitles=[f"{name}, {at}, {density}"],
         draft=result.inputs.where.draft,
+        units=native.require().PlotUnits(shown.plot_sizes()),
     )

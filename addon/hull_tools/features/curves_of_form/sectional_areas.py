@@ -6,6 +6,7 @@ from dataclasses import dataclass, fields
 import numpy as np
 
 from ...bridge import native
+from ...bridge.blender.units import METRIC
 from ..flotation import afloat
 from ..lines import lines
 
@@ -140,15 +141,15 @@ def frame(result, others):
     )
 
 
-def plot(result, name, others=()):
+def plot(result, name, others=(), shown=METRIC):
     """others: beside.Curves that are drawn with it."""
     where, found = result.where, result.areas
-    at = f"{name}, draft {where.draft:.3f} m"
+    at = f"{name}, draft {shown.text(where.draft, 'm')}"
     if where.trim_m:
-        at += f", trim {where.trim_m:.3f} m by the stern"
+        at += f", trim {shown.text(where.trim_m, 'm')} by the stern"
     if where.heel:
         at += f", heel {np.degrees(where.heel):.1f}°"
-    at += f", ∇ {result.hydrostatics.displaced_volume:.1f} m³"
+    at += f", ∇ {shown.text(result.hydrostatics.displaced_volume, 'm3', 1)}"
     return native.require().sectional_area_plot(
         found.positions,
         found.areas,
@@ -157,4 +158,5 @@ def plot(result, name, others=()):
         length_pp=where.length_pp or None,
         others=[(curve.name, curve.x, curve.y, curve.colour) for curve in others],
         frame=frame(result, others),
+        units=native.require().PlotUnits(shown.plot_sizes()),
     )

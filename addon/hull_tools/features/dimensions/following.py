@@ -96,7 +96,8 @@ STAYING = frozenset(
     fairness.accepted.line fairness.accepted.mark
     developables.warp developables.distance plates.thickness
     plates.ranges.spacing layers.thickness layers.density weights.thickness weights.density
-    loading.heel_greatest loading.heel_step wind.pressure wind.roll_period
+    loading.loaded_case loading.heel_greatest loading.heel_step
+    wind.pressure wind.roll_period
     resistance.speed_from resistance.speed_to resistance.speed_step resistance.form_factor
     resistance.appendage_factor resistance.deadrise resistance.shaft_angle resistance.heel
     resistance.open_water_efficiency resistance.shaft_efficiency resistance.roughness_um

@@ -92,9 +92,13 @@ class Table(AnalysisFile):
 
 
 class Plot(AnalysisFile):
-    """On paper; SVG, PDF or PNG by the file name's ending."""
+    """On paper, in the scene's system of units; SVG, PDF or PNG by the file name's ending."""
+
+    def __init__(self, obj, scene, name, path):
+        self._shown = units.shown_in(scene)
+        super().__init__(obj, scene, name, path)
 
     def write(self, result, path):
         others = analyses.others_beside(self.state, self._name)
-        plot = analyses.plot_of(self._name, result, self._title, others)
+        plot = analyses.plot_of(self._name, result, self._title, others, self._shown)
         native.require().write_plot(plot, path)

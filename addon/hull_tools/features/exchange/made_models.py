@@ -250,6 +250,7 @@ class PanelMaking(_Making):
         state, hull_native = hull_state.up_to_date(obj, scene), native.require()
         source = state.ship.source
         where = afloat.afloat(obj.hull, units.metres_per_unit(scene))
+        self._shown = units.shown_in(scene)
         super().__init__(
             state,
             _PANELS,
@@ -262,8 +263,8 @@ class PanelMaking(_Making):
         return (
             ("Panels", f"{len(made.panels)}"),
             ("Sides", "Port half" if made.half else "Both"),
-            ("Wetted", f"{made.area:.1f} m²"),
-            ("Exact ∇", f"{made.displaced_volume:.1f} m³"),
+            ("Wetted", self._shown.text(made.area, "m2", 1)),
+            ("Exact ∇", self._shown.text(made.displaced_volume, "m3", 1)),
             ("Off ∇", f"{off.mean():+.2f} %"),
         )
 

@@ -85,6 +85,7 @@ class CurvatureFile(jobs.JobTask):
         self.state = hull_state.up_to_date(obj, scene)
         source, hull_native, name = self.state.ship.source, native.require(), obj.name
         other = other_hull.of(obj, units.metres_per_unit(scene)) if with_other else None
+        shown = hull_native.PlotUnits(units.shown_in(scene).plot_sizes())
 
         def work(progress):
             others = [] if other is None else [(other.name, other.source.new_surface())]
@@ -96,6 +97,7 @@ class CurvatureFile(jobs.JobTask):
                 radius=radius or None,
                 others=others,
                 name=name,
+                units=shown,
             )
             progress(0.9)
             hull_native.write_plot(plot, path)

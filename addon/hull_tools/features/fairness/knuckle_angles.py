@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...bridge import native
+from ...bridge.blender.units import METRIC
 
 IS_LIVE = True
 
@@ -96,7 +97,7 @@ def rows(result):
     ]
 
 
-def plot(result, name):
+def plot(result, name, shown=METRIC):
     """Over x; over the length along them for knuckles that run across the ship, where a step in x
     may be the whole knuckle."""
     known = [(f"{number}", one) for number, one in enumerate(result, 1) if _is_drawn(one)]
@@ -107,16 +108,17 @@ def plot(result, name):
     groups = [group for group in groups if group[2]] or groups[:1]
     is_mixed = len(groups) > 1
     note = ["x: from the after perpendicular, s: along the knuckle"] if is_mixed else []
+    sizes = native.require().PlotUnits(shown.plot_sizes())
     plot = native.require().Plot("Angles of knuckles", [name, *note])
     plot.set_y_axis("Angle of the knuckle", "°", from_zero=False)
     for symbol, label, knuckles in groups:
-        axis = plot.add_x_axis(label, "m")
+        axis = plot.add_x_axis(label, sizes.symbol("m"))
         for number, one in knuckles:
             is_known = np.isfinite(one.angles)
             places = one.arc_lengths if symbol == "s" else one.positions[:, 0]
             plot.add_curve(
                 f"{number} over {symbol}" if is_mixed else number,
-                places[is_known],
+                sizes.of(places[is_known], "m"),
                 np.degrees(one.angles[is_known]),
                 x_axis=axis,
             )

@@ -64,8 +64,11 @@ _GROUPS = {
         ("tcb", "TCB", "TCB to port", "m", ""),
         ("kb", "KB", "KB", "m", ""),
         ("lateral_area", "Lateral area", "lateral area", "m2", ""),
-        ("lateral_x", "Centre x", "lateral area's centre from AP", "m", ""),
-        ("lateral_z", "Centre z", "lateral area's centre above base", "m", ""),
+        ("lateral_x", "– centre x", "lateral area's centre from AP", "m", ""),
+        ("lateral_z", "– centre z", "lateral area's centre above base", "m", ""),
+        ("wind_area", "Wind area", "wind area", "m2", ""),
+        ("wind_x", "– centre x", "wind area's centre from AP", "m", ""),
+        ("wind_z", "– centre z", "wind area's centre above base", "m", ""),
     ),
     "Waterplane": (
         ("waterplane_area", "Area", "waterplane area", "m2", ""),

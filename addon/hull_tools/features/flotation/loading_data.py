@@ -23,6 +23,7 @@ def give_loading(settings, hull, scale):
     loading.use_lcb = load.lcg is None
     loading.lcg = (load.lcg or 0.0) / scale
     loading.free_trim = load.free_trim
+    loading.loaded, loading.loaded_case = load.loaded.upper(), load.case
     for case in hull.load_cases:
         entry = loading.load_cases.add()
         entry.name, entry.mass_t = case.name, case.mass_t
@@ -77,6 +78,8 @@ def take_loading(settings, scale):
             None if loading.use_lcb else metres(loading.lcg),
             loading.free_trim,
             loading.kg_is_guess,
+            loading.loaded.lower(),
+            loading.loaded_case,
         ),
         "load_cases": [
             LoadCase(*_named_mass(case, metres), case.with_weights) for case in loading.load_cases

@@ -5,7 +5,7 @@ import math
 from dataclasses import dataclass, replace
 
 from ...bridge import limits
-from ...bridge.blender.units import as_typed
+from ...bridge.blender.units import METRIC, as_typed
 from ..curves_of_form.ranges import stepped
 from ..flotation import afloat, resistance_data
 from ..variants import afloat as afloat_beside
@@ -92,11 +92,11 @@ def upright(where):
     return where
 
 
-def at(where):
-    """Words for how a ship lies."""
-    words = f"draft {where.draft:.3f} m"
+def at(where, shown=METRIC):
+    """Words for how a ship lies; shown: a units.Shown."""
+    words = f"draft {shown.text(where.draft, 'm')}"
     if where.trim_m:
-        words += f", trim {where.trim_m:.3f} m by the stern"
+        words += f", trim {shown.text(where.trim_m, 'm')} by the stern"
     return words
 
 

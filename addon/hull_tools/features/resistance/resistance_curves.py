@@ -6,6 +6,7 @@ import math
 from dataclasses import dataclass, replace
 
 from ...bridge import native
+from ...bridge.blender.units import METRIC
 from . import asked, beside, methods
 from .asked import KNOT, NAMES
 
@@ -118,10 +119,12 @@ def _cells(other, row):
     return [total, difference, part, power, other.name]
 
 
-def plot(result, name):
-    at = f"{name}, {NAMES[result.given.method]}, {asked.at(result.given.where)}"
+def plot(result, name, shown=METRIC):
+    at = f"{name}, {NAMES[result.given.method]}, {asked.at(result.given.where, shown)}"
     others = [(result.other.name, result.other.rows)] if is_compared(result) else []
-    return native.require().resistance_plot(result.rows, subtitles=[at], others=others)
+    hull_native = native.require()
+    sizes = hull_native.PlotUnits(shown.plot_sizes())
+    return hull_native.resistance_plot(result.rows, subtitles=[at], others=others, units=sizes)
 
 
 def shown(count, most):

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...bridge import native
+from ...bridge.blender.units import METRIC
 from . import waves
 
 IS_LIVE = False
@@ -41,14 +42,15 @@ def rows(result):
     return np.column_stack([x.ravel(), y.ravel(), found.heights.ravel()]).tolist()
 
 
-def plot(result, name):
+def plot(result, name, shown=METRIC):
     found = result.behind
     return native.require().wave_pattern_plot(
         found.x,
         found.y,
         found.heights,
         subtitles=[
-            waves.subtitle(name, result.given),
+            waves.subtitle(name, result.given, shown),
             f"waves of directions up to {math.degrees(found.steepest):.0f}°",
         ],
+        units=native.require().PlotUnits(shown.plot_sizes()),
     )

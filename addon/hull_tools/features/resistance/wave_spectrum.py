@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...bridge import native
+from ...bridge.blender.units import METRIC
 from . import waves
 
 IS_LIVE = False
@@ -53,12 +54,18 @@ def rows(result):
     return np.column_stack(columns).tolist()
 
 
-def plot(result, name):
+def plot(result, name, shown=METRIC):
     return native.require().wave_spectrum_plot(
         _DIRECTIONS_DEG,
         result.power,
         subtitles=[
-            waves.subtitle(name, result.given),
-            f"wave resistance {result.resistance:.4g} kN",
+            waves.subtitle(name, result.given, shown),
+            f"wave resistance {_force(result, shown)}",
         ],
+        units=native.require().PlotUnits(shown.plot_sizes()),
     )
+
+
+def _force(result, shown):
+    force, symbol = shown.in_unit(result.resistance, "kN")
+    return f"{force:.4g} {symbol}"

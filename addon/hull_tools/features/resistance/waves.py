@@ -31,5 +31,6 @@ def integral(body, given):
     )
 
 
-def subtitle(name, given):
-    return f"{name}, {given.speed / asked.KNOT:.4g} kn, {asked.at(given.where)}, by Michell"
+def subtitle(name, given, shown):
+    at = asked.at(given.where, shown)
+    return f"{name}, {given.speed / asked.KNOT:.4g} kn, {at}, by Michell"

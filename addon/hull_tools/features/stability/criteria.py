@@ -68,13 +68,20 @@ def _outcome(criteria):
 
 
 def inputs(settings, metres_per_unit):
-    return Inputs(
-        loads.load_inputs(settings, metres_per_unit), wind.wind_inputs(settings, metres_per_unit)
-    )
+    return of_inputs(settings, metres_per_unit, loads.load_inputs(settings, metres_per_unit))
+
+
+def of_inputs(settings, metres_per_unit, load):
+    """The Inputs of an Object.hull with loads.LoadInputs."""
+    return Inputs(load, wind.wind_inputs(settings, metres_per_unit))
 
 
 def compute(ship, given):
-    load = loads.load(ship.body, given.load)
+    return of_load(ship, loads.load(ship, given.load), given)
+
+
+def of_load(ship, load, given):
+    """The Result of a loads.Load."""
     arguments = {
         **load.arguments(given.load),
         "downflooding_points": given.load.downflooding_points or None,
@@ -82,7 +89,7 @@ def compute(ship, given):
     }
     report = native.require().stability_criteria(ship.body, **arguments)
     weather, no_weather = _weather(ship.body, given, arguments)
-    return Result(report, weather, no_weather, tuple(_remarks(report, given.load)))
+    return Result(report, weather, no_weather, tuple(_remarks(report, load, given.load)))
 
 
 def _weather(body, given, arguments):
@@ -102,9 +109,8 @@ def _weather(body, given, arguments):
     return found, ""
 
 
-def _remarks(report, load):
-    if load.kg_is_guess:
-        yield loads.guessed_vcg(load)
+def _remarks(report, load, given):
+    yield from loads.remarks(load, given)
     if report.deck_edge_heel == 0.0:
         yield loads.DECK_EDGE_UNDER_WATER
 

@@ -7,7 +7,7 @@ from math import degrees
 import numpy as np
 
 from ...bridge import limits, native
-from ...bridge.blender.units import as_typed
+from ...bridge.blender.units import METRIC, as_typed
 from ..curves_of_form.ranges import stepped
 from ..flotation.afloat import as_typed_angle
 from . import loads
@@ -31,8 +31,11 @@ class Inputs:
 
 @dataclass(frozen=True)
 class Result:
+    """load: the loads.Load that is marked; None where there is none."""
+
     curves: object  # hull_native.CrossCurves
     inputs: Inputs
+    load: object = None
 
 
 def inputs(settings, metres_per_unit):
@@ -51,7 +54,8 @@ def inputs(settings, metres_per_unit):
 
 
 def compute(ship, given):
-    displacements = np.linspace(*_range(ship.body, given), given.count)
+    load = _load(ship, given)
+    displacements = np.linspace(*_range(ship.body, given, load), given.count)
     curves = native.require().cross_curves(
         ship.body,
         displacements_t=displacements,
@@ -59,18 +63,32 @@ def compute(ship, given):
         water_density=given.load.where.water_density,
         free_trim=given.load.free_trim,
         trim=given.load.where.trim,
-        assumed_kg=given.load.kg,
+        assumed_kg=given.load.kg if load is None else load.kg,
         progress=ship.progress,
     )
-    return Result(curves, given)
+    return Result(curves, given, load)
 
 
-def _range(body, given):
+def _load(ship, given):
+    """The loads.Load; None where the range is given and she does not float as typed."""
+    try:
+        return loads.load(ship, given.load)
+    except ValueError:
+        if given.load.case is None and given.least_t and given.greatest_t:
+            return None
+        raise
+
+
+def _range(body, given, load):
     least_t, greatest_t = given.least_t, given.greatest_t
     if not (least_t and greatest_t):
-        load = loads.load(body, given.load)
         least_t = least_t or _LEAST * load.mass_t
         whole_t = _whole_volume(body, load, given) * given.load.where.water_density
+        if not load.mass_t < whole_t:
+            raise ValueError(
+                f"A load of {load.mass_t:g} t sinks the ship: wholly under water she displaces "
+                f"{whole_t:g} t"
+            )
         greatest_t = greatest_t or min(_GREATEST * load.mass_t, _MOST_AFLOAT * whole_t)
     if not greatest_t > least_t:
         raise ValueError(
@@ -96,13 +114,23 @@ def rows(result):
     return np.column_stack([found.displacements_t, found.lcg, found.levers]).tolist()
 
 
-def plot(result, name):
+def plot(result, name, shown=METRIC):
     found = result.curves
     trim = "free trim" if result.inputs.load.free_trim else "trim held"
-    density = f"water {result.inputs.load.where.water_density:g} t/m³"
+    density = f"water {shown.text(result.inputs.load.where.water_density, 't/m3')}"
     return native.require().cross_curves_plot(
         found.displacements_t,
         found.heels,
         found.levers,
         subtitles=[f"{name}, {trim}, {density}; GZ = KN − KG sin φ"],
+        load_t=_within(result),
+        units=native.require().PlotUnits(shown.plot_sizes()),
     )
+
+
+def _within(result):
+    """The load's mass in t where the curves have it, else None."""
+    masses = result.curves.displacements_t
+    if result.load is None or not masses[0] <= result.load.mass_t <= masses[-1]:
+        return None
+    return result.load.mass_t

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from math import degrees, radians
 
 from ...bridge import native
+from ...bridge.blender.units import METRIC
 from ..curves_of_form.ranges import stepped
 from ..flotation.afloat import as_typed_angle
 from ..hull import deck_edge
@@ -34,8 +35,7 @@ class Result:
 
     def remarks(self):
         """Sentences about what the numbers rest on."""
-        if self.inputs.load.kg_is_guess:
-            yield loads.guessed_vcg(self.inputs.load)
+        yield from loads.remarks(self.load, self.inputs.load)
         if self.levers.deck_edge_heel == 0.0:
             yield loads.DECK_EDGE_UNDER_WATER
         if not self.levers.can_flood:
@@ -50,8 +50,13 @@ class Result:
 
 
 def inputs(settings, metres_per_unit):
+    return of_inputs(settings, loads.load_inputs(settings, metres_per_unit))
+
+
+def of_inputs(settings, load):
+    """The Inputs of an Object.hull with loads.LoadInputs."""
     heels = _heels(settings.loading)
-    return Inputs(loads.load_inputs(settings, metres_per_unit), heels, intervals(heels[-1]))
+    return Inputs(load, heels, intervals(heels[-1]))
 
 
 def heels_of(loading):
@@ -75,8 +80,12 @@ def intervals(last_heel):
 
 
 def compute(ship, given):
+    return of_load(ship, loads.load(ship, given.load), given)
+
+
+def of_load(ship, load, given):
+    """The Result of a loads.Load."""
     body = ship.body
-    load = loads.load(body, given.load)
     levers = native.require().righting_levers(
         body,
         **load.arguments(given.load),
@@ -101,7 +110,7 @@ def rows(result):
         yield [degrees(heel), lever, slope, degrees(trim), loads.trim_m(trim, heel, length_pp)]
 
 
-def plot(result, name):
+def plot(result, name, shown=METRIC):
     found = result.levers
     greatest = None
     if found.greatest_lever is not None:
@@ -111,10 +120,11 @@ def plot(result, name):
         found.levers,
         slopes=found.slopes,
         greatest=greatest,
-        subtitles=[loads.describe(result.load, result.inputs.load, name)],
+        subtitles=[loads.describe(result.load, result.inputs.load, name, shown)],
         gm=found.gm,
         vanishing=found.vanishing_heel,
         deck_edge=found.deck_edge_heel,
         downflooding=found.downflooding_heel,
         areas=[area for area in result.areas() if area[0] > 0.0 or area[1] < radians(35.0)],
+        units=native.require().PlotUnits(shown.plot_sizes()),
     )

@@ -10,7 +10,7 @@ from ...bridge import limits, native
 from ...bridge.blender.units import as_typed
 from ...bridge.mesh import mesh_arrays
 from ...bridge.objects import hull_objects
-from . import loads
+from . import centres
 
 IS_LIVE = False
 
@@ -59,17 +59,7 @@ class Result:
 def inputs(settings, metres_per_unit):
     own = settings.weights
     limits.at_most(len(own.items), "weights", limits.MOST_LOADING_ENTRIES)
-    items = tuple(
-        (
-            one.name,
-            limits.within(as_typed(one.mass_t), f"{one.name}: mass in t", 0.0, limits.HEAVIEST),
-            tuple(
-                loads.within_a_ship(value, one.name, metres_per_unit)
-                for value in (one.lcg, one.tcg, one.vcg)
-            ),
-        )
-        for one in own.items
-    )
+    items = tuple(centres.named_mass(one, metres_per_unit) for one in own.items)
     plates = tuple(_plates(settings, metres_per_unit))
     slots = _slots(settings.id_data) if any(plate.slots for plate in plates) else b""
     return Inputs(plates, items, slots)
