@@ -184,8 +184,8 @@ def test_a_sample_by_its_border(name):
     found = hn.lateral_profile(sample.body, draft=draft, trim=trim)
     wanted = Border(sample.surface).profile(lambda x: draft - math.tan(trim) * x)
     for part, (area, x, z) in zip(parts(found), wanted):
-        assert part[0] == pytest.approx(area, rel=1e-4)
-        assert part[1:] == pytest.approx((x, z), rel=1e-4)
+        assert part[0] == pytest.approx(area, rel=5e-6)
+        assert part[1:] == pytest.approx((x, z), rel=2e-6)
 
 
 def test_a_keel_below_a_sample_by_lines():
