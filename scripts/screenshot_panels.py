@@ -76,6 +76,17 @@ def _with_weights(hull):
         item.name, item.mass_t, item.lcg, item.vcg = name, mass, lcg, vcg
 
 
+def _with_load_cases(hull):
+    _with_opening(hull)
+    loading, hull.hull.wind.source = hull.hull.loading, "HULL"
+    for name, mass, vcg in (("Ballast, arrival", 2600.0, 4.1), ("Full load", 4400.0, 5.0)):
+        with bpy.context.temp_override(object=hull, active_object=hull):
+            bpy.ops.hull.add_load_case()
+        case = loading.load_cases[-1]
+        case.name, case.mass_t, case.vcg = name, mass, vcg
+    loading.loaded, loading.loaded_case = "CASE", loading.load_cases[-1].name
+
+
 def _with_fit(hull):
     """The hull fitted to faces between points of its own surface, somewhat fuller."""
     grid = part("features.hull.hull_state").state_of(hull).ship.surface.tessellate(12)
@@ -315,6 +326,11 @@ PANELS = {
         hull_panels("stability", "downflooding_points", "stability_remarks"),
         _with_opening,
         analyses=("righting_levers",),
+    ),
+    "panels/load-cases": PanelShot(
+        hull_panels("stability", "load_cases"),
+        _with_load_cases,
+        analyses=("load_cases", "righting_levers"),
     ),
     "panels/weights": PanelShot(
         hull_panels("stability", "weights"),

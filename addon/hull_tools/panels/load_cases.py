@@ -31,6 +31,14 @@ def _equilibrium_icon(found):
     return "ERROR" if found.message else "CHECKMARK"
 
 
+def _icon_in_list(found):
+    """The same, and where she floats as she was meant to, whether she meets the criteria."""
+    icon = _equilibrium_icon(found)
+    if icon != "CHECKMARK" or found.stability is None:
+        return icon
+    return {**OUTCOME_ICONS, "fail": "ERROR"}[found.stability.outcome()]
+
+
 class HULL_UL_load_cases(bpy.types.UIList):
     """Names, whether the criteria are met, and the mean drafts, as far as they are known."""
 
@@ -41,12 +49,9 @@ class HULL_UL_load_cases(bpy.types.UIList):
             layout.prop(item, "name", text="", emboss=False)
             return
         found = equilibria[index]
-        layout.prop(item, "name", text="", emboss=False, icon=_equilibrium_icon(found))
-        if found.draft_mean is None:
-            return
-        outcome = found.stability.outcome() if found.stability else "not computed"
-        text = format_value(context.scene, found.draft_mean, "m")
-        layout.label(text=text, icon=OUTCOME_ICONS[outcome])
+        layout.prop(item, "name", text="", emboss=False, icon=_icon_in_list(found))
+        if found.draft_mean is not None:
+            layout.label(text=format_value(context.scene, found.draft_mean, "m"))
 
 
 class HULL_PT_load_cases(HullPanel, bpy.types.Panel):
