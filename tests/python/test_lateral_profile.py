@@ -8,6 +8,7 @@ import hull_native as hn
 import numpy as np
 import pytest
 from test_appendages import DEPTH, LENGTH, box_body, box_hull
+from test_demihull_layouts import whole
 from transformation_hulls import Sample
 
 DRAFT = 1.2
@@ -122,6 +123,32 @@ def test_rudders_on_both_sides_and_a_mast():
     above = summed((1, hull), (1, (0.2 * 6.0, 5.0, 6.0)))
     assert found.above.area == pytest.approx(above[0], rel=1e-5)
     assert found.above.centre[2] == pytest.approx(above[2], rel=1e-5)
+
+
+def test_the_weather_criterion_has_what_is_joined():
+    """A mast of 0.2 m by 6 m above the deck, in the wind; a fin below lowers the lever's foot."""
+    _, body = box_hull()
+    load = {"mass_t": LENGTH * 4.0 * DRAFT * 1.025, "centre_of_gravity": (5.0, 0.0, 1.0)}
+    options = {"midship": 5.0, "roll_period": 6.0}
+    before = hn.weather_criterion(body, **load, **options)
+    body.join([hn.cylinder((5, 0, 2.5), (5, 0, 9.0), radius=0.1)])
+    after = hn.weather_criterion(body, **load, **options)
+    assert after.wind_area - before.wind_area == pytest.approx(1.2, rel=1e-5)
+    hull, mast = before.wind_area * (DRAFT + DEPTH) / 2, 1.2 * 6.0
+    lever = (hull + mast) / after.wind_area - DRAFT / 2
+    assert after.wind_lever == pytest.approx(lever, rel=1e-5)
+
+
+def test_a_half_with_a_keel_is_as_its_whole():
+    """Of a half the border encloses the profile, of a whole the section of the centre plane."""
+    sample, surface = Sample("coaster"), whole("coaster")
+    bodies = hn.HullBody(sample.surface, mirrored=True), hn.HullBody(surface, mirrored=False)
+    found = []
+    for body in bodies:
+        body.join([hn.foil("0012", root=(9.0, 0, 4.0), tip=(8.0, 0, -2.0), root_chord=8.0,
+                           tip_chord=5.0)])  # fmt: skip
+        found.append(parts(hn.lateral_profile(body, draft=sample.ship.draft, trim=0.02)))
+    np.testing.assert_allclose(found[0], found[1], rtol=1e-6)
 
 
 class Border:
