@@ -31,6 +31,7 @@ def loaded_hull():
     loading = settings.loading
     loading.use_displacement, loading.mass_t, loading.kg = False, 33.3, 1.7
     loading.use_lcb, loading.lcg, loading.free_trim = False, 4.9, False
+    loading.loaded, loading.loaded_case = "CASE", "ballast"
     for name, mass_t in (("ballast", 20.1), ("Ladung „voll“", 44.4)):
         assert bpy.ops.hull.add_load_case() == {"FINISHED"}
         case = loading.load_cases[-1]
@@ -52,7 +53,17 @@ def settings_of(hull):
     settings, loading = hull.hull, hull.hull.loading
     names = ("length_pp", "beam", "draft", "depth", "water_density", "trim", "heel", "deck_closed",
              "scheme", "source", "half")  # fmt: skip
-    loads = ("use_displacement", "mass_t", "kg", "kg_is_guess", "use_lcb", "lcg", "free_trim")
+    loads = (
+        "loaded",
+        "loaded_case",
+        "use_displacement",
+        "mass_t",
+        "kg",
+        "kg_is_guess",
+        "use_lcb",
+        "lcg",
+        "free_trim",
+    )
     winds = ("source", "lever", "pressure", "keel_area", "sharp_bilges", "roll_period")
     return (
         [getattr(settings, name) for name in names]

@@ -11,7 +11,7 @@ from test_panels import Drawn, context
 METRIC = re.compile(r"(?<![a-zA-Z°])(m|m²|m³|t|t/cm|t·m/cm|kN|m·rad)(?![a-zA-Z²³/·])")
 PLOTS = (
     "hydrostatic_table", "sectional_areas", "bonjean_curves", "righting_levers", "cross_curves",
-    "resistance_curves", "knuckle_angles",
+    "resistance_curves", "wave_pattern", "wave_spectrum", "knuckle_angles",
 )  # fmt: skip
 FOOT = 0.3048
 

@@ -47,7 +47,8 @@ def content(**changes):
         "deck_edge": [[5, 4]],
         "shown_rows": [[2, 5], [3, 2]],
         "afloat": {"trim": -0.25, "heel_deg": 5, "deck_closed": False},
-        "load": {"mass_t": 12.5, "kg": 1.75, "lcg": 4.5, "free_trim": False},
+        "load": {"mass_t": 12.5, "kg": 1.75, "lcg": 4.5, "free_trim": False,
+                 "loaded": "case", "case": "ballast"},
         "load_cases": [{"name": "ballast", "mass_t": 8, "lcg": 5, "tcg": -0.1, "vcg": 1}],
         "weights": {"thickness": 0.01, "density": 2.7,
                     "items": [{"name": "mast", "mass_t": 0.5, "vcg": 6}]},
@@ -148,7 +149,7 @@ def test_a_file_is_read(read):
     assert hull.scheme == "catmull_clark" and hull.deck_edge == [(4, 5)]
     assert hull.shown_rows == [(2, 3), (2, 5)]
     assert hull.afloat == hull_io.Afloat(-0.25, 5.0, False)
-    assert hull.load == hull_io.Load(12.5, 1.75, 4.5, False)
+    assert hull.load == hull_io.Load(12.5, 1.75, 4.5, False, False, "case", "ballast")
     assert hull.load_cases == [hull_io.LoadCase("ballast", 8.0, 5.0, -0.1, 1.0)]
     assert hull.weights == hull_io.Weights(0.01, 2.7, [hull_io.Weight("mast", 0.5, vcg=6.0)])
     assert hull.resistance == hull_io.Resistance(
@@ -332,6 +333,7 @@ MISTAKES = {
         content(load={"mass_t": -1}),
         "load.mass_t: -1 is not a number from 0 to 1e+08",
     ),
+    "loaded": (content(load={"loaded": "all"}), "load.loaded: "),
     "load mass null": (content(load={"mass_t": None}), "load.mass_t: NoneType is not a number"),
     "load cases": (content(load_cases={}), "load_cases: dict is no list"),
     "weights key": (content(weights={"steel": 1}), 'weights: the key "steel" is unknown'),
