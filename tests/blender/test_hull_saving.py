@@ -133,7 +133,14 @@ def test_numbers_are_written_as_they_were_typed(tmp_path):
     content = json.loads((tmp_path / "box.hull.json").read_text())
     assert content["particulars"]["draft"] == 1.1
     assert content["afloat"] == {"trim": -0.3, "heel_deg": 2.5, "deck_closed": False}
-    assert content["load"] == {"mass_t": 33.3, "kg": 1.7, "lcg": 4.9, "free_trim": False}
+    assert content["load"] == {
+        "mass_t": 33.3,
+        "kg": 1.7,
+        "lcg": 4.9,
+        "free_trim": False,
+        "loaded": "case",
+        "case": "ballast",
+    }
     assert content["load_cases"][0]["tcg"] == -0.02
     assert content["openings"] == [{"name": "hatch", "position": [3.3, 1.1, 3.1]}]
 
