@@ -50,15 +50,21 @@ const char* name_of(DxfLineType type) {
   return "CONTINUOUS";
 }
 
+[[noreturn]] void refuse_for_want_of_room(const std::string& path) {
+  std::error_code error;
+  const std::string folder = std::filesystem::temp_directory_path(error).string();
+  throw files::FileError("Cannot write \"" + path + "\": the folder of temporary files, " +
+                         (error ? "TMPDIR" : folder) +
+                         ", takes no more; free some space there, or set TMPDIR to another");
+}
+
 // A folder of its own for a file that dxflib writes by name; gone with this object.
 class ScratchFolder {
  public:
-  ScratchFolder() {
+  explicit ScratchFolder(const std::string& target) {
     std::error_code error;
     std::string name = (std::filesystem::temp_directory_path(error) / "hull_dxf_XXXXXX").string();
-    if (error || !::mkdtemp(name.data())) {
-      throw files::FileError("A DXF file needs room for temporary files, and there is none");
-    }
+    if (error || !::mkdtemp(name.data())) refuse_for_want_of_room(target);
     folder_ = name;
   }
   ScratchFolder(const ScratchFolder&) = delete;
@@ -238,20 +244,22 @@ std::string content_of(const std::string& path) {
   std::ifstream stream(path, std::ios::binary);
   std::ostringstream content;
   content << stream.rdbuf();
-  if (!stream || content.str().size() < 5) throw files::FileError("dxflib wrote no DXF file");
   return content.str();
+}
+
+// Cut short by a full disk, a file lacks its end.
+bool is_complete(const std::string& content) {
+  return content.size() > 6 && content.find("EOF", content.size() - 6) != content.npos;
 }
 
 }  // namespace
 
 void write_dxf(const DxfDrawing& drawing, const std::string& path) {
-  const ScratchFolder scratch;
+  const ScratchFolder scratch(path);
   {
     DL_Dxf dxf;
     const std::unique_ptr<DL_WriterA> file(dxf.out(scratch.file().c_str(), DL_Codes::AC1015));
-    if (!file) {
-      throw files::FileError("A DXF file needs room for temporary files, and there is none");
-    }
+    if (!file) refuse_for_want_of_room(path);
     write_header(dxf, *file, drawing);
     write_tables(dxf, *file, drawing);
     write_blocks(dxf, *file);
@@ -261,10 +269,7 @@ void write_dxf(const DxfDrawing& drawing, const std::string& path) {
     file->close();
   }
   const std::string content = content_of(scratch.file());
-  // Cut short by a full disk, the file lacks its end.
-  if (content.find("EOF", content.size() - 6) == content.npos) {
-    throw files::FileError("The DXF file for \"" + path + "\" could not be written completely");
-  }
+  if (!is_complete(content)) refuse_for_want_of_room(path);
   files::write_file_atomically(path, content);
 }
 

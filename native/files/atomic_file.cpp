@@ -70,17 +70,41 @@ class ReplacingFile::NewFile {
 
 namespace {
 
+constexpr int kMostLinks = 40;  // as the kernel follows
+
+// Where a chain of symbolic links ends, whether or not there is anything.
+fs::path end_of_links(fs::path path) {
+  for (int link = 0; fs::is_symlink(path); ++link) {
+    if (link == kMostLinks) {
+      throw fs::filesystem_error("",
+                                 std::make_error_code(std::errc::too_many_symbolic_link_levels));
+    }
+    path = path.parent_path() / fs::read_symlink(path);
+  }
+  return path;
+}
+
 bool is_control(unsigned char letter) { return letter < 0x20 || letter == 0x7f; }
+
+// Why, and what to do about it.
+std::string reason_of(const std::error_code& code) {
+  if (code == std::errc::filename_too_long) return "the name is too long; shorten it";
+  std::string reason = code.message();
+  if (code == std::errc::no_space_on_device || code == std::errc::file_too_large ||
+      code.value() == EDQUOT) {
+    reason += "; free some space, or choose another folder";
+  } else if (code == std::errc::permission_denied || code == std::errc::read_only_file_system) {
+    reason += "; choose a folder that you may write to";
+  }
+  return reason;
+}
 
 template <class Do>
 void or_file_error(const std::string& path, const Do& action) {
   try {
     action();
   } catch (const fs::filesystem_error& error) {
-    const bool is_long = error.code() == std::errc::filename_too_long;
-    const std::string reason =
-        is_long ? "the name is too long; shorten it" : error.code().message();
-    throw FileError("Cannot write \"" + path + "\": " + reason);
+    throw FileError("Cannot write \"" + path + "\": " + reason_of(error.code()));
   } catch (const std::runtime_error& error) {
     throw FileError("Cannot write \"" + path + "\": " + error.what());
   }
@@ -96,13 +120,17 @@ ReplacingFile::ReplacingFile(const std::string& path) : path_(path) {
       throw std::runtime_error(
           "a file's name can't have line breaks or control characters; give it another");
     }
-    if (fs::is_symlink(target)) target = fs::weakly_canonical(target);
+    target = end_of_links(target);
     const fs::path folder = target.parent_path();
     if (!folder.empty() && !fs::is_directory(folder)) {
       throw std::runtime_error("there is no folder \"" + folder.string() + "\"; make it first");
     }
     if (!target.has_filename() || fs::is_directory(target)) {
       throw std::runtime_error("it is a folder; give a file name");
+    }
+    // To rename a file to a device's name would take the device away.
+    if (fs::exists(target) && !fs::is_regular_file(target)) {
+      throw std::runtime_error("it is a device or pipe and no file; give another name");
     }
     target_ = target.string();
     file_ = std::make_unique<NewFile>(target);

@@ -16,10 +16,11 @@ class FileError : public std::runtime_error {
 
 // A file that takes the place of the one at `path` when it is complete: until then its bytes are in
 // a new file beside it, which is gone with this object. A symbolic link stays one: the file it
-// points to is replaced.
+// points to is replaced, or made.
 class ReplacingFile {
  public:
-  // Throws FileError if the folder does not exist or can't be written to, or `path` is a folder.
+  // Throws FileError if the folder does not exist or can't be written to, or `path` is a folder,
+  // a device or a pipe.
   explicit ReplacingFile(const std::string& path);
   ~ReplacingFile();
   ReplacingFile(const ReplacingFile&) = delete;
@@ -42,7 +43,7 @@ class ReplacingFile {
 // as a ReplacingFile.
 //
 // Throws FileError, leaving nothing behind and a file that was there untouched, if the folder does
-// not exist or can't be written to, if `path` is a folder, or if the disk is full.
+// not exist or can't be written to, if `path` is there and no regular file, or if the disk is full.
 void write_file_atomically(const std::string& path, std::string_view bytes);
 
 }  // namespace hull::files

@@ -5,6 +5,7 @@ import errno
 import os
 import stat
 import tempfile
+from pathlib import Path
 
 from .errors import HullFileError
 
@@ -30,9 +31,10 @@ def read_bytes(path, largest):
 
 
 def write_bytes(path, data):
-    """Write a file beside its final name and rename it: all of it, or nothing changed.
+    """Write a file beside its final name and rename it: all of it, or nothing changed. A symbolic
+    link stays one: the file it points to is replaced, or made.
 
-    HullFileError where that can't be done.
+    HullFileError where that can't be done, and where something else than a file has the name.
     """
     write_files({path: data})
 
@@ -40,14 +42,13 @@ def write_bytes(path, data):
 def write_files(contents):
     """The same of several files, {path: bytes}: all of them are on the disk before the first one
     gets its name, so that a full disk leaves all as it was."""
-    for path in contents:
-        _check_name(path)
+    targets = {path: target_of(path) for path in contents}
     path, temporary = None, {}
     try:
         for path, data in contents.items():
-            _write_beside(path, data, temporary)
-        for path in contents:
-            os.replace(temporary[path], path)
+            _write_beside(path, targets[path], data, temporary)
+        for path, target in targets.items():
+            os.replace(temporary[path], target)
             del temporary[path]
     except OSError as error:
         if error.errno == errno.ENAMETOOLONG:
@@ -62,6 +63,27 @@ def write_files(contents):
                 os.unlink(left)
 
 
+def target_of(path):
+    """The file that is written when a Path is: where symbolic links end. HullFileError for names
+    that are none, and for what is there and no file."""
+    _check_name(path)
+    target = Path(os.path.realpath(path))
+    try:
+        mode = os.stat(target).st_mode
+    except OSError as error:
+        if error.errno in (errno.ENOENT, errno.ENOTDIR, errno.ENAMETOOLONG, errno.EACCES):
+            return target  # writing tells
+        raise HullFileError(
+            f"{path.name}: it can't be written ({error.strerror}); give another name."
+        ) from error
+    if stat.S_ISDIR(mode):
+        raise HullFileError(f"{path.name}: it is a folder; give a file name.")
+    if not stat.S_ISREG(mode):
+        # To rename a file to a device's name would take the device away.
+        raise HullFileError(f"{path.name}: it is a device or pipe and no file; give another name.")
+    return target
+
+
 def _check_name(path):
     if any(ord(letter) < 0x20 or ord(letter) == 0x7F for letter in path.name):
         raise HullFileError(
@@ -70,15 +92,16 @@ def _check_name(path):
         )
 
 
-def _write_beside(path, data, temporary):
-    """Writes data into a file beside path, which temporary[path] names as soon as it is there."""
+def _write_beside(path, target, data, temporary):
+    """Writes data into a file beside its target, which temporary[path] names as soon as it is
+    there."""
     # Of its own length: the final name may be as long as names can be.
-    handle, temporary[path] = tempfile.mkstemp(prefix=".hull-", dir=path.parent)
+    handle, temporary[path] = tempfile.mkstemp(prefix=".hull-", dir=target.parent)
     with os.fdopen(handle, "wb") as file:
         file.write(data)
         file.flush()
         os.fsync(file.fileno())
-    os.chmod(temporary[path], _usual_mode(path))
+    os.chmod(temporary[path], _usual_mode(target))
 
 
 def _usual_mode(path):

@@ -181,6 +181,8 @@ class _Folder:
         for target in self._targets:
             if target.is_dir():
                 raise OSError(errno.EISDIR, f"{target} is a folder: choose another name")
+            if target.exists() and not target.is_file():
+                raise OSError(errno.EEXIST, f"{target} is no file: choose another name")
         try:
             self._path = Path(tempfile.mkdtemp(prefix=".figures-", dir=parent))
         except OSError as error:

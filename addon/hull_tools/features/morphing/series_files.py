@@ -13,6 +13,7 @@ import bpy
 import numpy as np
 
 from ....hull_io import write_hull_file
+from ....hull_io.bytes_on_disk import target_of
 from ...bridge import native
 from ...bridge.background import jobs
 from ...bridge.blender import units
@@ -123,6 +124,7 @@ class SeriesFiles(jobs.JobTask):
 
 def _write_all(found, names, write, folder, progress):
     """All files, first into a folder of their own beside their final places."""
+    targets = [target_of(folder / name) for name in names]
     aside = Path(tempfile.mkdtemp(prefix=".hull-series-", dir=folder))
     try:
         for number, (step, name) in enumerate(zip(found.steps, names)):
@@ -132,8 +134,8 @@ def _write_all(found, names, write, folder, progress):
 
             told(0.0)
             write(found, step, aside / name, told)
-        for name in names:
-            os.replace(aside / name, folder / name)
+        for name, target in zip(names, targets):
+            os.replace(aside / name, target)
     finally:
         shutil.rmtree(aside, ignore_errors=True)
     return [folder / name for name in names]
