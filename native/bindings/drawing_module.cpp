@@ -38,6 +38,9 @@ std::vector<drawing::Particular> particulars_from(const Rows& rows) {
   return particulars;
 }
 
+// The first number, positions in m, names.
+using Frames = std::tuple<int, std::vector<double>, std::vector<std::string>>;
+
 // "A3", or width and height in mm.
 using PaperName = std::variant<std::string, std::pair<double, double>>;
 
@@ -127,7 +130,8 @@ PYBIND11_MODULE(_drawing, module) {
          const std::vector<std::pair<double, double>>& diagonals, bool mirrored,
          const std::optional<double>& draft, const std::optional<double>& length,
          const std::optional<double>& station_spacing, const std::optional<double>& frame_spacing,
-         bool offsets, const std::string& title, const Rows& title_rows, const Rows& particulars,
+         const std::optional<Frames>& frames, bool in_frames, bool offsets,
+         const std::string& title, const Rows& title_rows, const Rows& particulars,
          const PaperName& paper, const std::optional<double>& scale, const std::string& dxf_unit,
          const std::optional<double>& tolerance, const std::vector<std::string>& views,
          const py::object& progress) {
@@ -142,6 +146,11 @@ PYBIND11_MODULE(_drawing, module) {
         options.length = length;
         options.station_spacing = station_spacing;
         options.frame_spacing = frame_spacing;
+        if (frames) {
+          const auto& [first, positions, names] = *frames;
+          options.frames = hull::drawing::PlanFrames{first, positions, names};
+        }
+        options.in_frames = in_frames;
         options.offsets = offsets;
         options.title = title;
         options.title_rows = particulars_from(title_rows);
@@ -157,9 +166,9 @@ PYBIND11_MODULE(_drawing, module) {
       py::arg("surface"), py::arg("path"), py::kw_only(), py::arg("stations"),
       py::arg("waterlines"), py::arg("buttocks"), py::arg("diagonals"), py::arg("mirrored"),
       py::arg("draft"), py::arg("length"), py::arg("station_spacing"), py::arg("frame_spacing"),
-      py::arg("offsets"), py::arg("title"), py::arg("title_rows"), py::arg("particulars"),
-      py::arg("paper"), py::arg("scale"), py::arg("dxf_unit"), py::arg("tolerance"),
-      py::arg("views"), py::arg("progress"),
+      py::arg("frames"), py::arg("in_frames"), py::arg("offsets"), py::arg("title"),
+      py::arg("title_rows"), py::arg("particulars"), py::arg("paper"), py::arg("scale"),
+      py::arg("dxf_unit"), py::arg("tolerance"), py::arg("views"), py::arg("progress"),
       "What write_lines_drawing does with all positions in m and all options given.");
   module.def(
       "write_curves_dxf",

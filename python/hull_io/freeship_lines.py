@@ -18,7 +18,7 @@ def line_positions(data):
     spacing = length / choice.station_count if choice.station_count else 0.0
     stations = numbers(choice.stations, "Stations")
     if choice.stations_in == "frames":
-        stations = [number * choice.frame_spacing for number in stations]
+        stations = _of_frames(data, stations)
     found[0] = _within(stations or _spaced(low[0], high[0], spacing), low[0], high[0])
     for axis, listed, step in (
         (1, numbers(choice.buttocks, "Buttocks"), choice.buttock_spacing),
@@ -38,3 +38,10 @@ def _spaced(low, high, spacing):
 def _within(positions, low, high):
     positions = np.unique(np.asarray(positions, dtype=float))
     return positions[(positions > low) & (positions < high)]
+
+
+def _of_frames(data, numbers):
+    """Where frames stand, m: by ranges, or else evenly from x = 0."""
+    if data.plating is not None and data.plating.ranges:
+        return data.plating.frame_places(numbers, data.particulars.length_pp).tolist()
+    return [number * data.lines.frame_spacing for number in numbers]

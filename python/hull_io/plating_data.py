@@ -3,6 +3,8 @@
 
 from dataclasses import dataclass, field
 
+import numpy as np
+
 # What seams and butts are made by; see hull_native.SeamRule.
 SEAM_KINDS = (
     "strakes",
@@ -48,3 +50,13 @@ class Plating:
     ranges: list = field(default_factory=list)
     numbered_from: str = "AP"
     in_roman: bool = False
+
+    def frame_places(self, numbers, length):
+        """(n,) x of frames (n,) by the ranges, m, of numbers between two of them in proportion;
+        length: between perpendiculars, m. Numbers beyond the ranges are NaN."""
+        lasts = [self.first_frame, *(each.last for each in self.ranges)]
+        along = np.cumsum(
+            [0.0, *(each.spacing * n for each, n in zip(self.ranges, np.diff(lasts)))]
+        )
+        along = np.interp(numbers, lasts, along, np.nan, np.nan) - np.interp(0, lasts, along)
+        return along if self.numbered_from == "AP" else length - along

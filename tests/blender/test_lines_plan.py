@@ -102,3 +102,35 @@ def test_plan_is_kept_in_the_file(tmp_path):
     bpy.ops.wm.open_mainfile(filepath=str(tmp_path / "plan.blend"))
     settings = bpy.data.objects["box"].hull
     assert (settings.lines.diagonals, settings.plan.paper) == ("2/30", "A1")
+
+
+def test_stations_in_frames_of_ranges(tmp_path):
+    """By the ranges of Plates, which go before an even spacing; lines follow them."""
+    hull = plan_hull()
+    lines, plates = hull.hull.lines, hull.hull.plates
+    lines.stations, lines.stations_in = "-1 2 6.5", "FRAMES"
+    plates.first_frame = -2
+    for last, spacing in ((4, 0.5), (14, 0.8)):
+        bpy.ops.hull.change_plate_list(action="ADD_RANGE")
+        plates.ranges[-1].last, plates.ranges[-1].spacing = last, spacing
+
+    def shown():
+        bpy.context.view_layer.update()
+        groups = part("features.hull.hull_state").state_of(hull).lines.groups
+        return [section.cut.plane[3] for section in groups["station"].sections]
+
+    assert shown() == pytest.approx([-0.5, 1.0, 2.0 + 2.5 * 0.8])
+    words = export(tmp_path / "box.dxf").read_text().splitlines()
+    assert {"2", "6.5", "−1".replace("−", r"\U+2212")} <= set(words)
+    plates.ranges[1].spacing = 1.0
+    assert shown()[-1] == pytest.approx(4.5)
+    plates.numbered_from = "FP"
+    assert shown() == pytest.approx([10.5, 9.0, 5.5])
+    lines.stations = "15"
+    bpy.context.view_layer.update()
+    assert "Frame 15 is beyond" in part("features.hull.hull_state").state_of(hull).lines.status
+    plates.ranges.clear()
+    bpy.ops.hull.update()
+    assert "ranges of frames under Plates" in (
+        part("features.hull.hull_state").state_of(hull).lines.status
+    )

@@ -192,11 +192,28 @@ def same_but_for_rounding(one, other):
 def test_positions_one_by_one_by_spacing_and_in_frames_are_the_same(coaster, tmp_path):
     frames = np.arange(21) * coaster[0].particulars.length_pp / 20 / 0.6
     by_spacing = draw(coaster, tmp_path / "a.dxf", station_spacing=0.6)
+    even = hn.frame_table([(-20, 60, 0.6), (60, 170, 0.6)])
     for options in (
         {"stations": frames[::-1], "stations_in": "frames"},
         {"stations": frames * 0.6, "station_spacing": 0.6},
+        {"stations": frames, "stations_in": "frames", "frames": even, "frame_spacing": None},
     ):
         assert same_but_for_rounding(by_spacing, draw(coaster, tmp_path / "b.dxf", **options))
+
+
+TABLE = hn.frame_table([(-2, 4, 5.0), (4, 6, 16.0)], in_roman=True)
+
+
+def test_stations_in_frames_of_ranges(coaster, tmp_path):
+    """As those in metres, named by the table's frames, which the scale below the profile has."""
+    in_metres = draw(coaster, tmp_path / "a.dxf", stations=[-5.0, 12.5, 36.0], frame_spacing=None)
+    numbers = [-1, 2.5, 5]
+    named = draw(
+        coaster, tmp_path / "b.dxf",
+        stations=numbers, stations_in="frames", frames=TABLE, frame_spacing=None,
+    )  # fmt: skip
+    words = [set(path.read_text().splitlines()) for path in (in_metres, named)]
+    assert {"2.5", "V", "III"} <= words[1] and not {"V", "III"} & words[0]
 
 
 def test_diagonals_by_spacing(coaster, tmp_path):
@@ -222,6 +239,7 @@ def test_diagonals_by_spacing(coaster, tmp_path):
         ({"frame_spacing": 0.0}, "frame spacing"),
         ({"stations_in": "frames", "frame_spacing": None}, "frame_spacing"),
         ({"stations_in": "feet"}, "frames"),
+        ({"stations_in": "frames", "stations": [8], "frames": TABLE}, "Frame 8 is beyond"),
         ({"dxf_unit": "ft"}, "dxf_unit"),
         ({"title_block": [("a", "b")] * 9}, "rows below the title"),
         ({"paper": "A4", "waterlines": 0.1, "buttocks": 0.1}, "table of offsets|run together"),

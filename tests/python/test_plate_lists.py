@@ -7,7 +7,10 @@ import os
 import hull_native as hn
 import numpy as np
 import pytest
+from hull_io.plating_data import FrameRange, Plating
 from plate_hulls import cylinder, one
+from production_hulls import hemisphere
+from transformation_hulls import Sample
 
 
 def curves_of(surface, tolerance=1e-4):
@@ -189,3 +192,40 @@ def test_a_folder_that_takes_no_file_is_told(tmp_path):
     with pytest.raises(OSError):
         hn.plate_drawing(listed).write(tmp_path / "missing" / "plate.pdf", paper="A0")
     assert not os.listdir(tmp_path)
+
+
+def test_frames_without_room_for_the_shell():
+    """Of half a ball of radius 5 m, 1 m off its middle: inside 3 m is a ball of 2 m, inside 4.5 m
+    one that does not reach the frame."""
+    surface = hemisphere(5.0)
+    _, inner = hn.frame_lines(surface, 1.0, thickness=3.0)
+    radii = np.linalg.norm(np.concatenate(inner), axis=1)
+    assert radii == pytest.approx(math.sqrt(3.0), abs=0.02)
+    for thickness in (4.5, 50.0):
+        with pytest.raises(ValueError, match=f"x = 1 m has no room for a shell {thickness:g} m"):
+            hn.frame_lines(surface, 1.0, thickness=thickness)
+    ship = Sample("coaster").surface
+    for thickness in (0.01, 0.5, 2.0):
+        assert hn.frame_lines(ship, 42.0, thickness=thickness)[1]
+    for call in (hn.frame_lines, lambda *a, **k: hn.frame_drawing(*a, name="", mirrored=True, **k)):
+        with pytest.raises(ValueError, match="no room for a shell 50 m thick"):
+            call(ship, 42.0, thickness=50.0)
+        with pytest.raises(ValueError, match="A frame's x must be a finite number of metres"):
+            call(ship, np.nan, thickness=0.01)
+
+
+def test_places_of_frames():
+    """Between two in proportion; by the hull file's ranges alike."""
+    ranges = [(-5, 10, 0.55), (10, 130, 0.65)]
+    plating = Plating(ranges=[FrameRange(10, 0.55), FrameRange(130, 0.65)], first_frame=-5)
+    for begin in ("AP", "FP"):
+        table = hn.frame_table(ranges, numbered_from=begin, length=84.0)
+        plating.numbered_from = begin
+        wanted = np.array([-2.75, 5.5, 5.5 + 0.65 * 2.5])
+        found = table.places([-5, 10, 12.5])
+        assert found == pytest.approx(wanted if begin == "AP" else 84.0 - wanted, abs=1e-12)
+        assert plating.frame_places([-5, 10, 12.5], 84.0) == pytest.approx(found, abs=1e-12)
+        assert table.places(table.numbers) == pytest.approx(table.positions, abs=1e-12)
+    with pytest.raises(ValueError, match="Frame 131 is beyond the table, which has −5 to 130"):
+        table.places([131])
+    assert np.isnan(plating.frame_places([131], 84.0)).all()

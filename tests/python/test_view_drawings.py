@@ -192,3 +192,10 @@ def test_one_view_has_a_larger_scale(tmp_path):
         hn.write_lines_drawing(body.surface, path, **options)
     hn.write_lines_drawing(body.surface, path, views=("body_plan",), **options)
     assert path.stat().st_size > 5000
+
+
+def test_a_tolerance_of_zero_is_none():
+    body = hn.HullBody(hemisphere(5.0), mirrored=False)
+    for tolerance in (0.0, -1.0, math.nan):
+        with pytest.raises(ValueError, match="tolerance"):
+            hn.view_drawing(body, axes=hn.view_axes(0.0, 0.0), tolerance=tolerance)

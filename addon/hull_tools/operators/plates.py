@@ -54,10 +54,11 @@ class HULL_OT_change_plate_list(bpy.types.Operator, HullOperator):
             if self.index >= len(entries):
                 raise ValueError("There is no such entry")
             entries.remove(self.index)
-            return
-        made = entries.add()
-        if self.action == "ADD_RANGE" and len(entries) > 1:
-            made.last = entries[-2].last + 50
+        else:
+            made = entries.add()
+            if self.action == "ADD_RANGE" and len(entries) > 1:
+                made.last = entries[-2].last + 50
+        hull.update_tag(refresh={"DATA"})  # stations in frames follow
 
 
 class HULL_OT_lay_out_plates(bpy.types.Operator, TaskOperator):

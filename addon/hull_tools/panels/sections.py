@@ -32,7 +32,10 @@ class HULL_PT_sections(HullPanel, bpy.types.Panel):
                 text_field(column, settings, "stations_in")
         for kind in ("draft", "flat", "feature"):
             self._draw_switch(layout, settings, found, kind)
-        field_or(layout, settings, "frame_spacing", "no frames")
+        if hull.hull.plates.ranges:
+            layout.label(text="Frames: by the ranges of Plates")
+        else:
+            field_or(layout, settings, "frame_spacing", "no frames")
         layout.prop(settings, "in_front")
         layout.prop(settings, "width")
         layout.operator("hull.lines_as_curves", icon="OUTLINER_OB_CURVE")

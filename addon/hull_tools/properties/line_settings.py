@@ -78,7 +78,8 @@ class HullLines(bpy.types.PropertyGroup):
         name="Stations in",
         description="What the positions of stations are given in",
         items=(("METRES", "in metres", "x from the after perpendicular"),
-               ("FRAMES", "in frames", "Numbers of frames, 0 at the after perpendicular")),
+               ("FRAMES", "in frames", "Numbers of frames: by the ranges under Plates, or else "
+                "evenly spaced from the after perpendicular")),
         update=changed,
     )  # fmt: skip
     frame_spacing: length("Frame spacing", "Distance of frames; 0: the ship has none")

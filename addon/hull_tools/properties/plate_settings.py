@@ -11,6 +11,8 @@ from bpy.props import (
     PointerProperty,
 )
 
+from .shared import changed
+
 _RULES = (
     ("strakes", "Strakes", "Seams at multiples of a girth from the deck edge down"),
     ("from_deck", "From Deck", "A seam at a girth along frames from the deck edge"),
@@ -58,7 +60,12 @@ class HullSeamRule(bpy.types.PropertyGroup):
 
 class HullFrameRange(bpy.types.PropertyGroup):
     last: IntProperty(
-        name="To frame", description="The last frame of the range", default=100, min=-999, max=1999
+        name="To frame",
+        description="The last frame of the range",
+        default=100,
+        min=-999,
+        max=1999,
+        update=changed,
     )
     spacing: FloatProperty(
         name="Spacing m",
@@ -67,6 +74,7 @@ class HullFrameRange(bpy.types.PropertyGroup):
         min=0.01,
         max=100.0,
         precision=3,
+        update=changed,
     )
 
 
@@ -88,6 +96,7 @@ class HullPlates(bpy.types.PropertyGroup):
         default=-5,
         min=-999,
         max=0,
+        update=changed,
     )
     ranges: CollectionProperty(type=HullFrameRange)
     numbered_from: EnumProperty(
@@ -97,6 +106,7 @@ class HullPlates(bpy.types.PropertyGroup):
             ("AP", "AP", "The after perpendicular, x = 0: numbers rise forward"),
             ("FP", "FP", "The forward perpendicular, x = Lpp: numbers rise aft"),
         ),
+        update=changed,
     )
     in_roman: BoolProperty(name="Roman numerals", description="Of the frames' numbers")
 

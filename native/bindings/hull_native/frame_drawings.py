@@ -7,7 +7,9 @@ from ._core import SurfaceTree, sections
 from ._drawing import ShopDrawing
 
 # Rounds to the point whose inner side is in the frame's plane, and what is left, of the size.
-_ROUNDS, _LEFT = 12, 1e-10
+_ROUNDS, _LEFT = 40, 1e-10
+# How near the inner side may be to the shell, of the thickness less than that, and of the size.
+_NEAR, _BESIDE = 1e-3, 1e-6
 
 
 def inside_points(surface, tree, points, cells, uv, thickness):
@@ -39,14 +41,17 @@ def tree_size(surface):
 
 def frame_lines(surface, x, *, thickness=0.0, tolerance=None, tree=None):
     """(outer, inner): lists of (k, 2) arrays, (y, z) in m, of the section at x and of the inner
-    side of the shell's thickness (m) there. ValueError where the frame is off the hull, and for a
-    thickness below 0."""
+    side of the shell's thickness (m) there. ValueError where the frame is off the hull, for a
+    thickness below 0, and for one that leaves no room within the frame: no point of the inner side
+    is as far as that from all of the shell, on the frame's own side of the centre plane."""
+    if not np.isfinite(x):
+        raise ValueError(f"A frame's x must be a finite number of metres, not {x:g}.")
     if not (np.isfinite(thickness) and thickness >= 0.0):
         raise ValueError(f"The shell's thickness must be 0 m or more, not {thickness:g}.")
     (cut,) = sections(surface, [[1.0, 0.0, 0.0, x]], tolerance)
     if not cut:
         raise ValueError(f"A frame at x = {x:g} m is off the hull.")
-    outer, inner = [], []
+    outer, inner, has_room = [], [], False
     if thickness > 0.0 and tree is None:
         tree = SurfaceTree(surface)
     for curve in cut:
@@ -57,10 +62,31 @@ def frame_lines(surface, x, *, thickness=0.0, tolerance=None, tree=None):
             if thickness > 0.0:
                 # Within a stretch, so that normals at its ends are its own.
                 cells, uv = curve.cells[at], curve.uv[at]
-                inner.append(
-                    inside_points(surface, tree, stretch.points, cells, uv, thickness)[:, 1:]
-                )
+                points = inside_points(surface, tree, stretch.points, cells, uv, thickness)
+                has_room = has_room or _is_inside(surface, tree, points, x, thickness)
+                inner.append(points[:, 1:])
+    if thickness > 0.0 and not has_room:
+        raise ValueError(
+            f"The frame at x = {x:g} m has no room for a shell {thickness:g} m thick: give its "
+            "thickness in metres, or another frame."
+        )
     return outer, inner
+
+
+def _is_inside(surface, tree, points, x, thickness):
+    """Whether any of points (k, 3) of the inner side is in the plane at x, on the same side of the
+    centre plane as a half hull, and no nearer to the shell than the thickness, m."""
+    slack = _BESIDE * tree_size(surface)
+    y = surface.mesh.points[:, 1]
+    is_port, is_starboard = y.min() > -slack, y.max() < slack
+    kept = np.abs(points[:, 0] - x) < _NEAR * thickness + slack
+    if is_port or is_starboard:
+        kept &= (1.0 if is_port else -1.0) * points[:, 1] > 0.0
+    points = points[kept]
+    if not len(points):
+        return False
+    apart = tree.closest_points(points).distances
+    return bool((apart > (1.0 - _NEAR) * thickness - slack).any())
 
 
 def frame_drawing(

@@ -42,6 +42,18 @@ class FrameTable:
             )
         return float(self.positions[at[0]])
 
+    def places(self, numbers):
+        """(n,) x of frames (n,), m, of numbers between two of them in proportion. ValueError for
+        numbers beyond the table."""
+        numbers = np.asarray(numbers, dtype=float)
+        for number in numbers:
+            if not self.numbers[0] <= number <= self.numbers[-1]:
+                raise ValueError(
+                    f"Frame {number:g} is beyond the table, which has {self.names[0]} to "
+                    f"{self.names[-1]}: add a range."
+                )
+        return np.interp(numbers, self.numbers, self.positions)
+
     def within(self, low, high):
         """The numbers of frames from x = low to high."""
         return self.numbers[(self.positions >= low) & (self.positions <= high)]

@@ -50,6 +50,7 @@ def write_lines_drawing(
     length=None,
     station_spacing=None,
     frame_spacing=None,
+    frames=None,
     offsets=True,
     title="",
     title_block=(),
@@ -65,14 +66,15 @@ def write_lines_drawing(
 
     stations (x), waterlines (z) and buttocks (y >= 0): (n,) positions in m in any order, or one
     number, their spacing. stations_in="frames" takes stations as numbers of frames of
-    frame_spacing (m), and numbers them so. diagonals: pairs of the height at the centre plane (m)
-    and the angle below the horizontal (rad), or one number, the spacing of heights at
-    diagonal_angle. Lines beyond the hull are left out.
+    frame_spacing (m), or of a FrameTable (frames), and names them so. diagonals: pairs of the
+    height at the centre plane (m) and the angle below the horizontal (rad), or one number, the
+    spacing of heights at diagonal_angle. Lines beyond the hull are left out.
 
     mirrored: the surface is the half y >= 0. draft (m) adds the design waterline; length (m,
     between perpendiculars from x = 0) AP, FP and midship; frame_spacing the frames, frame 0 at
-    x = 0. A station's number is its x in units of station_spacing (m; default: the stations'
-    distance, where all are multiples of it). offsets: the table of offsets is drawn too.
+    x = 0, or frames, by its ranges, in place of those. A station's number is its x in units of
+    station_spacing (m; default: the stations' distance, where all are multiples of it). offsets:
+    the table of offsets is drawn too.
 
     title_block: up to 8 pairs (name, value) of texts below the title; particulars: up to 16.
     paper: "A4" to "A0", or (width, height) in mm. scale: 100 for 1:100; by default the largest of
@@ -88,7 +90,14 @@ def write_lines_drawing(
     """
     low, high = surface.mesh.points.min(axis=0), surface.mesh.points.max(axis=0)
     unit = 1.0
-    if stations_in == "frames":
+    if stations_in == "frames" and frames is not None:
+        numbers = stations
+        if np.ndim(stations) == 0:
+            numbers = line_positions(
+                stations, frames.numbers[0], frames.numbers[-1], name="stations", with_ends=True
+            )
+        stations = frames.places(numbers)
+    elif stations_in == "frames":
         if frame_spacing is None or not frame_spacing > 0.0:
             raise ValueError("Stations in frames need a frame_spacing above zero.")
         unit = frame_spacing
@@ -112,6 +121,8 @@ def write_lines_drawing(
         length=length,
         station_spacing=station_spacing,
         frame_spacing=frame_spacing,
+        frames=None if frames is None else _drawn_frames(frames),
+        in_frames=stations_in == "frames",
         offsets=offsets,
         title=title,
         title_rows=list(title_block),
@@ -123,3 +134,7 @@ def write_lines_drawing(
         views=list(views),
         progress=progress,
     )
+
+
+def _drawn_frames(table):
+    return int(table.numbers[0]), table.positions.tolist(), list(table.names)

@@ -43,14 +43,14 @@ def view_drawing(
     surface's, and by 1e-5 of the drawing's size; where a surface turns away from the eye lines may
     end earlier than it does by that of a turn by 1/20: R / 800 of a bend of radius R. Pieces
     shorter than 1/800 of the size may be missed. progress: called with the share done. ValueError
-    for axes that are none, an eye in the hull, and as closed_model().
+    for axes that are none, an eye in the hull, and as closed_model(), a tolerance of 0 for one.
     """
     axes = np.asarray(axes, dtype=float)
     if axes.shape != (3, 3) or np.abs(axes @ axes.T - np.eye(3)).max() > 1e-6:
         raise ValueError("The axes of a view are three unit vectors square to one another.")
     tell = progress or (lambda share: None)
     size = body.surface.mesh.size
-    tolerance = tolerance or _TOLERANCE * size
+    tolerance = _TOLERANCE * size if tolerance is None else tolerance
     model = closed_model(body, tolerance, progress=lambda share: tell(0.3 * share))
     eye = Eye(axes, model.points, distance)
     seen = ClosedModel(eye.seen(model.points), model.triangles)

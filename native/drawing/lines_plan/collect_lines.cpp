@@ -286,6 +286,7 @@ LinesDrawing collect_lines(const surface::LimitSurface& surface, const LinesOpti
   check_spacing(options.tolerance, "tolerance");
   check_spacing(options.frame_spacing, "frame spacing");
   check_spacing(options.station_spacing, "station spacing");
+  if (options.frames) check_frames(*options.frames);
   const double paper = std::max(options.paper.width, options.paper.height);
   const Cutter cutter(surface, options.tolerance.value_or(kPaperTolerance / paper * size),
                       options.splines);
@@ -296,6 +297,7 @@ LinesDrawing collect_lines(const surface::LimitSurface& surface, const LinesOpti
   drawing.draft = options.draft;
   drawing.length = options.length;
   drawing.frame_spacing = options.frame_spacing;
+  drawing.frames = options.frames;
   drawing.views = options.views;
   drawing.paper = options.paper;
   drawing.scale_denominator = options.scale_denominator;
@@ -317,6 +319,11 @@ LinesDrawing collect_lines(const surface::LimitSurface& surface, const LinesOpti
   if (!missing.empty()) throw std::invalid_argument(missing);
   drawing.stations = cutter.cut_all(analysis::Axis::kX, stations);
   number_stations(drawing.stations, numbering_of(stations, options.station_spacing));
+  if (options.frames && options.in_frames) {
+    for (NamedCurves& station : drawing.stations) {
+      station.label = frame_name(station.position, *options.frames);
+    }
+  }
   drawing.waterlines = cutter.cut_all(analysis::Axis::kZ, waterlines);
   if (options.draft) mark_design_waterline(cutter, drawing.waterlines, *options.draft);
   drawing.buttocks = cutter.cut_all(analysis::Axis::kY, buttocks);

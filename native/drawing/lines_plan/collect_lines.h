@@ -25,7 +25,10 @@ struct LinesOptions {
   // it; else they are counted from 0, from aft.
   std::optional<double> station_spacing;
   std::optional<double> frame_spacing;  // m; draws the frames, frame 0 at x = 0
-  bool offsets = true;                  // draws the table of offsets
+  // Drawn in place of those; stations are named by them where they are `in_frames`.
+  std::optional<PlanFrames> frames;
+  bool in_frames = false;
+  bool offsets = true;  // draws the table of offsets
   PlanViews views;
   std::string title;
   std::vector<Particular> title_rows, particulars;

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "drawing/lines_plan/frame_scale.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "drawing/lines_plan/plan_layout.h"
 
@@ -25,32 +28,68 @@ long numbered_every(double mm_per_frame) {
   return 1000000;
 }
 
+struct FrameMark {
+  long number;
+  double x;  // m
+  std::string name;
+};
+
+// From aft or from forward, as numbers rise, within the hull.
+std::vector<FrameMark> marks_of(const LinesDrawing& drawing, const HullExtents& extents) {
+  std::vector<FrameMark> marks;
+  if (drawing.frames) {
+    const PlanFrames& frames = *drawing.frames;
+    const double slack = 1e-6 * (extents.fore - extents.aft);
+    for (std::size_t i = 0; i < frames.positions.size(); ++i) {
+      const double x = frames.positions[i];
+      if (x < extents.aft - slack || x > extents.fore + slack) continue;
+      marks.push_back({frames.first + static_cast<long>(i), x, frames.names[i]});
+    }
+    return marks;
+  }
+  const double spacing = *drawing.frame_spacing;
+  const long first = std::lround(std::ceil(extents.aft / spacing - 1e-6));
+  const long last = std::lround(std::floor(extents.fore / spacing + 1e-6));
+  for (long frame = first; frame <= last; ++frame) {
+    marks.push_back({frame, frame * spacing, std::to_string(frame)});
+  }
+  return marks;
+}
+
+// (least, largest) distance of frames, m.
+std::pair<double, double> spacings_of(const LinesDrawing& drawing) {
+  if (!drawing.frames) return {*drawing.frame_spacing, *drawing.frame_spacing};
+  const std::vector<double>& x = drawing.frames->positions;
+  std::pair<double, double> found(std::abs(x[1] - x[0]), 0.0);
+  for (std::size_t i = 1; i < x.size(); ++i) {
+    const double apart = std::abs(x[i] - x[i - 1]);
+    found = {std::min(found.first, apart), std::max(found.second, apart)};
+  }
+  return found;
+}
+
 }  // namespace
 
 void draw_frame_scale(SheetBuilder& builder, const View& view, const GridBox& grid,
                       const LinesDrawing& drawing, const HullExtents& extents) {
-  const double spacing = *drawing.frame_spacing;
+  const auto [least, largest] = spacings_of(drawing);
   const double y = grid.max().y() + kLabelRow + 1.0;
   builder.draw(pens::kFrameScale,
                {{view.to_page(extents.aft, 0.0).x(), y}, {view.to_page(extents.fore, 0.0).x(), y}});
-  const long every = numbered_every(view.scale * spacing);
-  const bool marks_all = view.scale * spacing >= kNearestMarks;
-  const long first = std::lround(std::ceil(extents.aft / spacing - 1e-6));
-  const long last = std::lround(std::floor(extents.fore / spacing + 1e-6));
-  const long step = marks_all ? 1 : every;
-  // From a multiple of the step on, so that the numbers are multiples of theirs.
-  for (long frame = static_cast<long>(std::floor(static_cast<double>(first) / step)) * step;
-       frame <= last; frame += step) {
-    if (frame < first) continue;
-    const double x = view.to_page(frame * spacing, 0.0).x();
-    const bool numbered = frame % every == 0;
-    const double length = numbered ? 1.6 : every >= 10 && frame % (every / 2) == 0 ? 1.2 : 0.8;
+  const long every = numbered_every(view.scale * least);
+  const bool marks_all = view.scale * least >= kNearestMarks;
+  for (const FrameMark& mark : marks_of(drawing, extents)) {
+    const bool numbered = mark.number % every == 0;
+    if (!numbered && !marks_all) continue;
+    const double x = view.to_page(mark.x, 0.0).x();
+    const double length = numbered                                        ? 1.6
+                          : every >= 10 && mark.number % (every / 2) == 0 ? 1.2
+                                                                          : 0.8;
     builder.draw(pens::kFrameScale, {{x, y}, {x, y + length}});
     if (!numbered) continue;
     const TextStyle style{.size = kNumberSize, .ink = inks::kGrey};
-    const std::string number = std::to_string(frame);
-    const OrientedBox box = SheetBuilder::text_box(number, style, {x, y + 3.3});
-    if (builder.has_room(box, 0.2, view.bounds)) builder.put_text(number, style, box);
+    const OrientedBox box = SheetBuilder::text_box(mark.name, style, {x, y + 3.3});
+    if (builder.has_room(box, 0.2, view.bounds)) builder.put_text(mark.name, style, box);
   }
   const auto put = [&](const std::string& text, double x, Align align) {
     const TextStyle style{.size = kNumberSize, .ink = inks::kGrey};
@@ -58,8 +97,9 @@ void draw_frame_scale(SheetBuilder& builder, const View& view, const GridBox& gr
     if (builder.has_room(box, 0.2, view.bounds)) builder.put_text(text, style, box);
   };
   put("Fr.", grid.min().x() - kColumnGap, Align::kRight);
+  if (largest - least > 1e-9 * largest) return;  // it is not one
   char apart[32];
-  std::snprintf(apart, sizeof apart, "%.6g mm", 1000.0 * spacing);
+  std::snprintf(apart, sizeof apart, "%.6g mm", 1000.0 * least);
   put(apart, grid.max().x() + kColumnGap, Align::kLeft);
 }
 

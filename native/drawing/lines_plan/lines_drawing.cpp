@@ -71,7 +71,7 @@ LinesSheet lay_out_lines(const LinesDrawing& drawing) {
   const HullExtents extents = hull_extents(drawing);
   LinesSheet sheet =
       choose_layout({extents, drawing.paper, drawing.scale_denominator, label_column(drawing),
-                     drawing.frame_spacing.has_value(), title_block_size(drawing),
+                     drawing.frame_spacing || drawing.frames, title_block_size(drawing),
                      offsets_block_sizes(drawing), views});
   check_densities(sheet, drawing, extents);
   sheet.title = drawing.title;

@@ -17,6 +17,7 @@
 
 #include "analysis/offsets/offset_table.h"
 #include "drawing/lines_plan/lines_sheet.h"
+#include "drawing/lines_plan/plan_frames.h"
 #include "drawing/lines_plan/ship_curve.h"
 #include "drawing/paper/paper.h"
 #include "dxf/dxf_file.h"
@@ -63,8 +64,9 @@ struct LinesDrawing {
   // Between perpendiculars, from x = 0: draws AP and FP, and midship is at its half. Without it
   // midship is halfway between the hull's ends.
   std::optional<double> length;
-  // Draws the frames below the profile, from frame 0 at x = 0.
+  // Draws the frames below the profile, from frame 0 at x = 0, or where they are told to be.
   std::optional<double> frame_spacing;
+  std::optional<PlanFrames> frames;
   // Drawn as a table; its stations, waterlines and buttocks are those above in the same order, but
   // for a buttock 0 before the others, which is the centre line.
   std::optional<analysis::OffsetTable> offsets;

@@ -35,7 +35,9 @@ void draw_profile(SheetBuilder& builder, const View& view, const LinesDrawing& d
   draw_stations(builder, view, grid, drawing, extents);
   draw_heights(builder, view, grid, drawing, extents.bottom, extents.top);
   draw_perpendiculars(builder, view, grid, drawing, extents, true);
-  if (drawing.frame_spacing) draw_frame_scale(builder, view, grid, drawing, extents);
+  if (drawing.frame_spacing || drawing.frames) {
+    draw_frame_scale(builder, view, grid, drawing, extents);
+  }
 
   const Projection side = projection(view, {1.0, 0.0, 0.0}, {0.0, 0.0, 1.0});
   std::vector<std::vector<PlacedCurve>> buttocks;

@@ -4,6 +4,7 @@
 from ...bridge import native
 from ...bridge.blender import units
 from ..hull import plating_data
+from ..lines import frames
 
 # Seams of a new list of rules: so many strakes of the depth and the half-breadth, butts of the
 # length.
@@ -36,17 +37,4 @@ def seam_rules(obj, scene):
 
 def frame_table(obj, scene):
     """The hull_native.FrameTable of a hull, None without ranges."""
-    settings = obj.hull.plates
-    ranges, first = [], settings.first_frame
-    for each in settings.ranges:
-        ranges.append((first, each.last, round(each.spacing, 6)))
-        first = each.last
-    if not ranges:
-        return None
-    length = obj.hull.length_pp * units.metres_per_unit(scene)
-    return native.require().frame_table(
-        ranges,
-        numbered_from=settings.numbered_from,
-        length=length or None,
-        in_roman=settings.in_roman,
-    )
+    return frames.frame_table(obj.hull, units.metres_per_unit(scene))

@@ -2,13 +2,14 @@
 """Where the lines of a hull lie, as its Object.hull.lines says: for the 3D view, the lines plan and
 the table of offsets alike."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 
 from ....hull_io.number_lists import diagonals, numbers
 from ...bridge import limits
 from ...bridge.blender.units import as_typed
+from .frames import frame_table
 
 
 @dataclass(frozen=True)
@@ -16,7 +17,8 @@ class LinePlaces:
     """Positions and spacings in m; positions given one by one count before spacings.
 
     diagonals: pairs of height in m and angle in rad. in_frames: whether stations are to be named
-    by frames.
+    by frames, and then frame_numbers: theirs, and frames: the hull_native.FrameTable of ranges,
+    None where frames are evenly spaced.
     """
 
     length: float
@@ -29,6 +31,8 @@ class LinePlaces:
     diagonals: tuple
     frame_spacing: float
     in_frames: bool
+    frame_numbers: tuple = ()
+    frames: object = field(default=None, compare=False)
 
     def positions(self, points):
         """(stations, waterlines, buttocks) in m, as far as control points (n, 3) in m reach.
@@ -58,11 +62,10 @@ def line_places(settings, metres_per_unit):
     frame_spacing = metres(lines.frame_spacing, "Frame spacing")
     spaces = station_spaces(lines)
     stations = _listed(lines.stations, "Stations")
-    in_frames = lines.stations_in == "FRAMES" and bool(stations)
-    if in_frames:
-        if not frame_spacing:
-            raise ValueError("Give the frame spacing first: the stations are in frames")
-        stations = tuple(number * frame_spacing for number in stations)
+    frame_numbers, table = stations if lines.stations_in == "FRAMES" else (), None
+    if frame_numbers:
+        table = frame_table(settings, metres_per_unit)
+        stations = _of_frames(frame_numbers, table, frame_spacing)
     return LinePlaces(
         length,
         length / spaces if spaces else 0.0,
@@ -73,8 +76,22 @@ def line_places(settings, metres_per_unit):
         _listed(lines.buttocks, "Buttocks"),
         _of_a_number(diagonals(lines.diagonals), "diagonals"),
         frame_spacing,
-        in_frames,
+        bool(frame_numbers),
+        frame_numbers,
+        table,
     )
+
+
+def _of_frames(numbers, table, spacing):
+    """Where frames stand, m: by their table, or else evenly from x = 0."""
+    if table is not None:
+        return tuple(table.places(numbers).tolist())
+    if not spacing:
+        raise ValueError(
+            "Give the frame spacing first, or ranges of frames under Plates: the stations are in "
+            "frames"
+        )
+    return tuple(number * spacing for number in numbers)
 
 
 def station_spaces(lines):

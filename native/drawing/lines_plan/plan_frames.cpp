@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "drawing/lines_plan/plan_frames.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <stdexcept>
+
+namespace hull::drawing {
+
+std::string frame_name(double x, const PlanFrames& frames) {
+  for (std::size_t i = 0; i + 1 < frames.positions.size(); ++i) {
+    const double from = frames.positions[i], to = frames.positions[i + 1];
+    const double part = (x - from) / (to - from);
+    if (part < -1e-3 || part > 1.0 + 1e-3) continue;
+    if (part < 1e-3) return frames.names[i];
+    if (part > 1.0 - 1e-3) return frames.names[i + 1];
+    char text[64];
+    std::snprintf(text, sizeof text, "%.4g", frames.first + static_cast<double>(i) + part);
+    return text;
+  }
+  char text[64];
+  std::snprintf(text, sizeof text, "%.3f", x);
+  throw std::invalid_argument("The station at " + std::string(text) +
+                              " m is beyond the frames by which it is to be named");
+}
+
+void check_frames(const PlanFrames& frames) {
+  const std::vector<double>& x = frames.positions;
+  const auto rises = [](double a, double b) { return !(b > a); };
+  const auto falls = [](double a, double b) { return !(b < a); };
+  if (x.size() >= 2 && frames.names.size() == x.size() && std::isfinite(x.front()) &&
+      std::isfinite(x.back()) &&
+      (std::adjacent_find(x.begin(), x.end(), rises) == x.end() ||
+       std::adjacent_find(x.begin(), x.end(), falls) == x.end())) {
+    return;
+  }
+  throw std::invalid_argument("Frames are two or more, with a name each, and follow one another");
+}
+
+}  // namespace hull::drawing
