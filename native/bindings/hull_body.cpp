@@ -9,6 +9,7 @@
 
 #include "analysis/appendages/appendage.h"
 #include "analysis/appendages/joined_shells.h"
+#include "analysis/appendages/own_overlaps.h"
 #include "bindings/arrays.h"
 #include "bindings/openings.h"
 
@@ -41,6 +42,13 @@ void bind_immersion(py::module_& module) {
       .def_readonly("wetted_surface_error", &I::wetted_surface_error, "Estimated, m².");
 }
 
+void warn_of_idle_cut(const std::string& name) {
+  const std::string words = (name.empty() ? std::string("A body to be cut out") : name) +
+                            " cuts nothing out of the hull, beside which it lies: move it into the "
+                            "hull, or leave it out.";
+  if (PyErr_WarnEx(PyExc_UserWarning, words.c_str(), 1) != 0) throw py::error_already_set();
+}
+
 }  // namespace
 
 void bind_hull_body(py::module_& module) {
@@ -71,14 +79,28 @@ void bind_hull_body(py::module_& module) {
            "also by hydrostatics() and its like, raises ValueError. Only what has moved is "
            "computed again.")
       .def(
-          "join", &analysis::HullBody::join, py::arg("appendages"),
-          py::call_guard<py::gil_scoped_release>(),
+          "join",
+          [](analysis::HullBody& body, std::vector<analysis::Appendage> appendages) {
+            {
+              const py::gil_scoped_release release;
+              body.join(std::move(appendages));
+            }
+            for (const std::string& name : body.joined()->idle_cuts()) warn_of_idle_cut(name);
+          },
+          py::arg("appendages"),
           "From now on the body is (its own bodies and appendages that are added) without those "
           "that are cut out, each point of space counted once: in immersion(), hydrostatics(), "
           "levers, equilibrium. Section areas, extents, offsets and form numbers stay those of the "
           "hull. [] counts the hull's own bodies once where they overlap. ValueError where "
-          "surfaces "
-          "lie in one another.")
+          "surfaces lie in one another; a UserWarning names what is to be cut out and lies beside "
+          "the hull (idle_cuts).")
+      .def_property_readonly(
+          "idle_cuts",
+          [](const analysis::HullBody& b) {
+            return b.joined() ? b.joined()->idle_cuts() : std::vector<std::string>();
+          },
+          "Names of bodies to be cut out that join() was given and that cut nothing out, since "
+          "they lie beside the hull.")
       .def_property_readonly(
           "joined_volume",
           [](const analysis::HullBody& b) -> std::optional<double> {
@@ -97,6 +119,32 @@ void bind_hull_body(py::module_& module) {
             return all;
           },
           "A list of what join() was given; None without it.")
+      .def_property_readonly("may_overlap", &analysis::may_overlap,
+                             "Whether boxes around two of the hull's own bodies have space in "
+                             "common; if not, and with "
+                             "one body, own_overlaps is empty.")
+      .def_property_readonly(
+          "own_overlaps",
+          [](const analysis::HullBody& body) {
+            std::vector<analysis::OwnOverlap> found;
+            {
+              const py::gil_scoped_release release;
+              found = analysis::own_overlaps(body);
+            }
+            const auto face = [&](int own) {
+              return body.surface().mesh().topology().face(body.bodies().first_cell[own]);
+            };
+            py::list list;
+            for (const analysis::OwnOverlap& one : found) {
+              list.append(py::make_tuple(face(one.first_body), face(one.second_body), one.volume,
+                                         one.is_countable));
+            }
+            return list;
+          },
+          "Tuples of a face of each of two of the hull's own bodies that overlap, m³ that they "
+          "have in common, and whether join([]) counts that once; where surfaces lie in one "
+          "another along an area it can't, and the volume is an estimate. What encloses nothing "
+          "overlaps nothing.")
       .def_property_readonly("surface", &analysis::HullBody::surface,
                              py::return_value_policy::reference)
       .def_property_readonly("mirrored", &analysis::HullBody::mirrored)

@@ -37,8 +37,10 @@ void bind_wetted_panels(py::module_& module) {
       .def_readonly("origin", &PanelMesh::origin, "(3,) of the water's axes, in the ship's, m.")
       .def_readonly("axes", &PanelMesh::axes,
                     "(3, 3): a point p of the ship is at axes @ (p - origin).")
-      .def_readonly("displaced_volume", &PanelMesh::displaced_volume,
-                    "Of the exact hull, both sides, m³.")
+      .def_readonly(
+          "displaced_volume", &PanelMesh::displaced_volume,
+          "Of the exact hull that has these panels, both sides, m³: without what is joined "
+          "to it; its own bodies add up.")
       .def_property_readonly("volumes", &PanelMesh::volumes,
                              "(3,) m³: the fluxes of (x, 0, 0), (0, y, 0) and (0, 0, z) through "
                              "all panels, both sides. All three are the volume that the panels "
@@ -58,7 +60,8 @@ void bind_wetted_panels(py::module_& module) {
       py::arg("heel") = 0.0, py::arg("draft_at") = 0.0, py::arg("grading") = 0.5,
       py::arg("origin_x") = 0.0, py::arg("progress") = py::none(),
       "A PanelMesh of the part of a HullBody below the water, closings included where they are in "
-      "it. size: the most that panels' sides measure, m; at the water's surface and at the ends "
+      "it; without what join() joins to it, and with all of bodies that overlap (own_overlaps). "
+      "size: the most that panels' sides measure, m; at the water's surface and at the ends "
       "they have `grading` times that. draft in m at x = draft_at, trim in rad by the stern, heel "
       "in rad to starboard. origin_x: the origin is the water's nearest point to (origin_x, 0, 0) "
       "of the ship. A half hull that does not heel is one half with its symmetry. Panels end "

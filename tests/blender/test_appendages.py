@@ -271,3 +271,19 @@ def test_appendages_wait_while_points_are_dragged(box):
     assert not hull_state.state_of(box).ship.waits and not_joined(box) == ""
     assert volume(box) == pytest.approx(alone - hole, rel=1e-7)
     assert tunnel.parent == box
+
+
+def test_a_tunnel_beside_the_hull_is_told_of(box):
+    """The others count all the same."""
+    tunnel = add(box, "TUNNEL", x=7.0, z=1.2, radius=RADIUS)
+    keel = add(box, "FIN_KEEL", x=5.0)
+    remarks = lambda: part("features.hull.hull_state").state_of(box).remarks  # noqa: E731
+    with_both, hole = volume(box), math.pi * RADIUS**2 * 4.0
+    assert not any("cuts nothing" in remark for remark in remarks())
+    tunnel.location.z = 20.0
+    assert volume(box) == pytest.approx(with_both + hole, rel=1e-7)
+    (told,) = [remark for remark in remarks() if "cuts nothing" in remark]
+    assert told.startswith(f"{tunnel.name} cuts nothing out of the hull") and not_joined(box) == ""
+    bpy.data.objects.remove(tunnel)
+    assert volume(box) > 100.01 and keel.hull.appendage.counts
+    assert not any("cuts nothing" in remark for remark in remarks())

@@ -56,6 +56,10 @@ class HULL_PT_hydrostatics(HullPanel, bpy.types.Panel):
         elif ship.appendages_key:
             names = ", ".join(body.name for body in ship.appendages_key)
             label_wrapped(layout, context, f"With {names}")
+        if ship.added_up:
+            label_wrapped(layout, context, f"{ship.overlap}, which count twice", icon="ERROR")
+        elif ship.overlap:
+            label_wrapped(layout, context, f"{ship.overlap}, which count once")
 
 
 class _GroupPanel(HullPanel):

@@ -14,6 +14,8 @@ namespace {
 constexpr int kMostDivisions = 16;
 // Of the smaller body's box: what closed surfaces may be open by.
 constexpr double kOpen = 1e-5;
+// Of its box: what a hole's wall measures that is none.
+constexpr double kNoWall = 1e-9;
 
 double volume_of(const Eigen::AlignedBox3d& box) { return box.sizes().prod(); }
 double area_of(const Eigen::AlignedBox3d& box) {
@@ -160,6 +162,18 @@ ShellMoments JoinedShells::change(const Plane& water) const {
   return sum;
 }
 
+std::vector<std::string> JoinedShells::idle_cuts() const {
+  std::vector<double> walls(members_.size());
+  for (const Piece& piece : pieces_) walls[piece.member] += piece.moments.area;
+  std::vector<std::string> names;
+  for (std::size_t m = 0; m < members_.size(); ++m) {
+    const JoinedMember& own = members_[m];
+    if (own.role != MemberRole::kCut || !own.appendage) continue;
+    if (walls[m] <= kNoWall * area_of(own.shell.box())) names.push_back(own.name);
+  }
+  return names;
+}
+
 // A closed surface has no ∫ n dS, and each of its three fluxes is its volume.
 void JoinedShells::check_closed() const {
   Eigen::AlignedBox3d least = members_.front().shell.box();
@@ -179,7 +193,7 @@ void JoinedShells::refuse() const {
     if (member.role != MemberRole::kHull) names += (names.empty() ? "" : ", ") + member.name;
   }
   throw std::invalid_argument(
-      "The surfaces of the hull and of " + names +
+      "The surfaces of " + (names.empty() ? "the hull's own bodies" : "the hull and of " + names) +
       " lie in one another along an area, or are open: let them cross at an angle, as by an end "
       "well within the hull.");
 }

@@ -52,6 +52,9 @@ class JoinedShells {
 
   const std::vector<JoinedMember>& members() const { return members_; }
 
+  // Names of bodies to be cut out, without mirror images, of which nothing lies in the rest.
+  std::vector<std::string> idle_cuts() const;
+
  private:
   // A part of a patch that counts, all of it unless other surfaces are near.
   struct Piece {

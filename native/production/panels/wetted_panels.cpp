@@ -67,6 +67,14 @@ void take_panels(const WaterCut& cut, PanelMesh& mesh) {
   }
 }
 
+// Of what has panels: the hull's own surface, whatever is joined to it.
+double volume_alone(const analysis::HullBody& body, const analysis::Plane& water) {
+  if (!body.joined()) return body.immersion(water).volume;
+  const analysis::HullBody alone(body.surface(), body.mirrored(), body.openings(),
+                                 body.tolerance());
+  return alone.immersion(water).volume;
+}
+
 }  // namespace
 
 Vector3d PanelMesh::volumes() const {
@@ -101,7 +109,7 @@ PanelMesh wetted_panels(const analysis::HullBody& body, const analysis::Floating
   if (!std::isfinite(origin_x)) throw std::invalid_argument("origin_x must be a finite number.");
   const analysis::Plane water = analysis::water_plane(position);
   PanelMesh mesh;
-  mesh.displaced_volume = body.immersion(water).volume;
+  mesh.displaced_volume = volume_alone(body, water);
   mesh.half = body.mirrored() && position.heel == 0.0;
   mesh.axes = water_axes(position);
   const Vector3d base(origin_x, 0.0, 0.0);

@@ -25,7 +25,9 @@ struct PanelMesh {
   // A point p of the ship is at axes · (p - origin).
   Vector3d origin = Vector3d::Zero();
   Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
-  double displaced_volume = 0.0;  // exact, of the whole hull, m³
+  // Exact, m³: of both sides of the hull's own surface, which is what has panels, without bodies
+  // that are joined to it; its own bodies add up.
+  double displaced_volume = 0.0;
 
   // ∫ x n_x, ∫ y n_y, ∫ z n_z over all panels, both halves, m³: with the water's surface they
   // close a body, so that all three are its volume. Of a panel with four corners that are not in a
@@ -34,7 +36,8 @@ struct PanelMesh {
   double area() const;  // of both halves, m²
 };
 
-// Panels of the body below the water, closings included where they are in the water. A half hull
+// Panels of the hull's own surface below the water, closings included where they are in the water;
+// what is joined to the body has none (HullBody::join()). A half hull
 // that does not heel is one half with its symmetry, else all of it is there. `origin_x`: the origin
 // is the water's nearest point to (origin_x, 0, 0) of the ship.
 //

@@ -14,6 +14,9 @@ from ...bridge.mesh import mesh_arrays, mesh_check, moves, valid_part
 from . import ship
 from .appendages import native_bodies
 
+# Of the size cubed: volume that bodies have in common by rounding.
+_NOTHING = 1e-12
+
 
 @dataclass
 class LiveShip:
@@ -21,7 +24,9 @@ class LiveShip:
     its hull_native.HullBody. All three change with the next edit, so that only `source`, the
     ship.ShipSource of them, is for threads. is_part: the mesh has errors, and the surface is of
     what makes one. memory: see ship.Ship. not_joined: why appendages do not count, else "". waits:
-    they do not, until points rest; see `follow`.
+    they do not, and own bodies that overlap add up, until points rest; see `follow`. overlap: what
+    is said of own bodies that do; added_up: why they are not counted once, else "". idle_cuts:
+    names of tunnels and the like that lie beside the hull.
 
     topology_key: equal where surfaces differ by the places of points only; geometry_key: where
     surfaces are equal, None while there is none; key: where ships are.
@@ -36,6 +41,9 @@ class LiveShip:
     memory: dict = field(default_factory=dict)
     not_joined: str = ""
     waits: bool = False
+    overlap: str = ""
+    added_up: str = ""
+    idle_cuts: tuple = ()
     topology_key: tuple = None
     geometry_key: tuple = None
     key: tuple = None
@@ -49,21 +57,38 @@ class LiveShip:
     def follow(self, found, scale, may_wait=False):
         """Brings all up to date with a hull_mesh.HullMesh; returns whether the surface is its.
 
-        may_wait: where points have moved, appendages are left out, since joining them takes too
-        long for each step of a drag; they are joined by a call without it.
+        may_wait: where points have moved, appendages are left out, and bodies that overlap not
+        looked at, since joining them takes too long for each step of a drag; that is done by a call
+        without it.
         """
         geometry_key = (found.topology_key, found.points_digest, scale)
         marks = np.packbits(found.data.deck_edges).tobytes()
         has_moved = self.geometry_key not in (None, geometry_key)
-        self.waits = may_wait and bool(found.appendages) and (self.waits or has_moved)
+        self.waits = may_wait and (self.waits or has_moved)
+        self.waits = self.waits and (bool(found.appendages) or self._has_bodies_near())
         bodies = () if self.waits else found.appendages
-        key = (geometry_key, found.openings, marks, bodies)
+        key = (geometry_key, found.openings, marks, bodies, self.waits)
         if self.key != key:
             self._renew(found, scale, geometry_key, (found.topology_key, marks), bodies)
             self.key = key
-        if self.waits:
+        if self.waits and found.appendages:
             self.not_joined = "they are joined when the points rest"
         return self.surface is not None and self.geometry_key == geometry_key
+
+    def _has_bodies_near(self):
+        """Whether the mesh has several bodies, and they may overlap."""
+        return self.body is not None and self.body.may_overlap
+
+    def remarks(self):
+        """What a user may expect of bodies and is not so, as sentences."""
+        texts = [
+            f"{name} cuts nothing out of the hull, beside which it lies: move it into the hull, or "
+            "take it out of the count"
+            for name in self.idle_cuts
+        ]
+        if self.added_up:
+            texts.append(f"{self.overlap}, which count twice: {self.added_up}")
+        return texts
 
     def _renew(self, found, scale, geometry_key, control_key, bodies):
         if self._control_key == control_key:
@@ -106,13 +131,16 @@ class LiveShip:
             before, self.geometry_key, self.body = self.geometry_key, None, None
             surface.set_points(source.control.points)
             self.moved = self.moved.further(before, geometry_key)
-        if body is None or body.openings != source.openings or has_others:
+        was_once = self.source is not None and self.source.once
+        if body is None or body.openings != source.openings or has_others or was_once:
             body = source.live_body(surface)
             self.memory.clear()
             if source.appendages:
                 source = self._tried(source, lambda: body.join(list(source.appendages)))
         elif has_moved:
             source = self._tried(source, body.update)
+        self.idle_cuts = tuple(body.idle_cuts)
+        source, body = self._counted_once(source, body)
         self.surface, self.body, self.source = surface, body, source
         self.topology_key, self.geometry_key = topology_key, geometry_key
 
@@ -124,3 +152,24 @@ class LiveShip:
             self.not_joined = str(error)
             return replace(source, appendages=())
         return source
+
+    def _counted_once(self, source, body):
+        """(source, body) with own bodies counted once where they overlap."""
+        self.overlap = self.added_up = ""
+        if self.waits or not body.may_overlap:
+            return source, body
+        if body.joined_volume is not None:  # with appendages: they have their part in that
+            self.overlap = ship.overlap_words(body.own_overlaps)
+            return replace(source, once=bool(self.overlap)), body
+        try:
+            body.join([])
+        except ValueError as error:
+            self.overlap = ship.overlap_words(body.own_overlaps)
+            self.added_up = str(error) if self.overlap else ""  # they may only touch
+            return source, body
+        lost = -body.joined_volume
+        if lost <= _NOTHING * body.surface.mesh.size**3:
+            return source, source.live_body(body.surface)
+        self.overlap = ship.words_of_overlap(lost)
+        self.memory.clear()
+        return replace(source, once=True), body

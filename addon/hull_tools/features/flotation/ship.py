@@ -43,7 +43,7 @@ class ShipSource:
     """All that a Ship is made of. It never changes: a thread may have it while the hull is edited.
 
     openings: as hull_native.HullBody takes them. appendages: hull_native.Appendage that are joined
-    to its body.
+    to its body. once: its own bodies overlap, and are counted once there.
     """
 
     control: ControlArrays
@@ -52,6 +52,7 @@ class ShipSource:
     openings: str
     deck_edge: tuple
     appendages: tuple = ()
+    once: bool = False
 
     def new_surface(self):
         """A hull_native.LimitSurface of the caller's own."""
@@ -77,17 +78,31 @@ class ShipSource:
         """The hull_native.HullBody of a surface of these control points. ValueError where
         appendages cannot be joined to it."""
         body = self.bare_body(surface, **how)
-        if self.appendages:
+        if self.appendages or self.once:
             body.join(list(self.appendages))
         return body
 
     def bare_body(self, surface, **how):
-        """The same without appendages."""
+        """The same without appendages, all of its own bodies added up."""
         return native.require().HullBody(surface, mirrored=self.half, openings=self.openings, **how)
 
     def live_body(self, surface):
         """One for numbers that follow the mouse, to some 1e-8 of the whole, without appendages."""
         return self.bare_body(surface, tolerance=1e-8)
+
+
+def overlap_words(overlaps):
+    """Of HullBody.own_overlaps: what is said of them, without an end; nothing where there are
+    none."""
+    if not overlaps:
+        return ""
+    about = "" if all(countable for *_, countable in overlaps) else "about "
+    return words_of_overlap(sum(volume for _, _, volume, _ in overlaps), about)
+
+
+def words_of_overlap(volume, about=""):
+    """The same of a volume, m³."""
+    return f"Bodies of the hull's mesh overlap by {about}{volume:.3g} m³"
 
 
 def source_of(found, control, joined=()):

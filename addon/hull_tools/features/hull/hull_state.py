@@ -132,7 +132,7 @@ def _follow(obj, scene, state, found, may_wait):
         state.shown.follow(obj, state.ship, scale)
     if state.ship.check.errors:
         raise ValueError(state.ship.check.errors[0].message)
-    state.remarks += state.shown.remarks(obj)
+    state.remarks += state.shown.remarks(obj) + state.ship.remarks()
     state.hydrostatics.follow(obj.hull, state.ship, scale)
     state.plausible.follow(obj, state.ship, state.hydrostatics.values, scale)
     state.lines.follow(obj.hull, state.ship, scale)

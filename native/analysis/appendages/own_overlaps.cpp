@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/appendages/own_overlaps.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <stdexcept>
+#include <utility>
+
+#include "analysis/appendages/hull_members.h"
+
+namespace hull::analysis {
+namespace {
+
+// Of the smaller box: what boxes and bodies share by rounding, and what a sheet may enclose.
+constexpr double kShared = 1e-9;
+constexpr double kSheet = 1e-6;
+constexpr double kTolerance = 1e-9;
+constexpr int kSamples = 4096;
+
+using Box = Eigen::AlignedBox3d;
+
+double space_in(const Box& box) { return box.isEmpty() ? 0.0 : box.volume(); }
+
+bool share_space(const Box& a, const Box& b) {
+  return space_in(a.intersection(b)) > kShared * std::min(space_in(a), space_in(b));
+}
+
+// By pairs of bodies (i < j) whose boxes have space in common.
+template <class Visit>
+void for_each_near(const std::vector<Box>& boxes, const Visit& visit) {
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    for (std::size_t j = i + 1; j < boxes.size(); ++j) {
+      if (share_space(boxes[i], boxes[j])) visit(static_cast<int>(i), static_cast<int>(j));
+    }
+  }
+}
+
+// Of the modelled side, closings included, as their points are the cells'.
+std::vector<Box> boxes_of_bodies(const HullBody& body) {
+  const Bodies& bodies = body.bodies();
+  std::vector<Box> boxes(bodies.first_cell.size());
+  if (boxes.size() < 2) return {};
+  for (std::size_t cell = 0; cell < bodies.of_cell.size(); ++cell) {
+    const int k = static_cast<int>(cell);
+    boxes[bodies.of_cell[cell]].extend(Box(body.boxes().low(k), body.boxes().high(k)));
+  }
+  if (body.mirrored()) {
+    // Closings of a half reach from the border to the centre plane.
+    for (Box& box : boxes) box.extend(Vector3d(box.min().x(), 0.0, box.min().z()));
+  }
+  return boxes;
+}
+
+bool is_sheet(const ClosedShell& shell) {
+  return moments_of(shell).first.trace() / 3.0 <= kSheet * space_in(shell.box());
+}
+
+// None where surfaces lie in one another.
+std::optional<double> exact_overlap(const JoinedMember& a, const JoinedMember& b) {
+  try {
+    const JoinedShells joined({a, b}, a.shell.box().center(), kTolerance);
+    return -joined.whole_change().first.trace() / 3.0;
+  } catch (const std::invalid_argument&) {
+    return std::nullopt;
+  }
+}
+
+// By points that are spread evenly and are in no plane of the boxes: multiples of powers of an
+// irrational number, modulo 1.
+double sampled_overlap(const ClosedShell& a, const ClosedShell& b) {
+  constexpr double kRoot = 1.2207440846057596;
+  const Box box = a.box().intersection(b.box());
+  Vector3d at = Vector3d::Constant(0.5);
+  const Vector3d step(1.0 / kRoot, 1.0 / (kRoot * kRoot), 1.0 / (kRoot * kRoot * kRoot));
+  int both = 0;
+  for (int i = 0; i < kSamples; ++i) {
+    at += step;
+    at = at.unaryExpr([](double x) { return x - std::floor(x); });
+    const Vector3d point = box.min() + at.cwiseProduct(box.sizes());
+    if (a.is_inside(point) && b.is_inside(point)) ++both;
+  }
+  return space_in(box) * both / kSamples;
+}
+
+}  // namespace
+
+bool may_overlap(const HullBody& body) {
+  bool is_near = false;
+  for_each_near(boxes_of_bodies(body), [&](int, int) { is_near = true; });
+  return is_near;
+}
+
+std::vector<OwnOverlap> own_overlaps(const HullBody& body) {
+  std::vector<OwnOverlap> found;
+  if (!may_overlap(body)) return found;
+  const std::vector<JoinedMember> members = hull_members(body);
+  std::vector<Box> boxes;
+  for (const JoinedMember& member : members) {
+    boxes.push_back(is_sheet(member.shell) ? Box() : member.shell.box());
+  }
+  for_each_near(boxes, [&](int i, int j) {
+    const ClosedShell &a = members[i].shell, &b = members[j].shell;
+    const std::optional<double> exact = exact_overlap(members[i], members[j]);
+    const double volume = exact ? *exact : sampled_overlap(a, b);
+    if (volume > kShared * std::min(space_in(a.box()), space_in(b.box()))) {
+      found.push_back({i, j, volume, exact.has_value()});
+    }
+  });
+  return found;
+}
+
+}  // namespace hull::analysis
