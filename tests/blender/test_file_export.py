@@ -122,3 +122,23 @@ def test_a_long_table_tells_how_far_it_is(name, tmp_path, monkeypatch):
     # What was computed is known to the panels now.
     outcome, is_current = part("features.analyses").last_outcome(hull, bpy.context.scene, name)
     assert is_current and outcome.result is not None
+
+
+def test_all_files_of_a_hull_are_in_the_menu():
+    """File › Export has each operator that writes a file of the hull."""
+    found = []
+
+    class Layout:
+        def operator(self, name, **unused):
+            found.append(name)
+
+        def operator_menu_enum(self, name, *unused, **more):
+            found.append(name)
+
+    owner = type("Menu", (), {"layout": Layout()})()
+    part("operators.export_hull").draw_export_menu(owner, bpy.context)
+    names = {name for name in dir(bpy.ops.hull) if name.startswith("export_")}
+    # Those of networks, families and reports are in their own panels.
+    others = {"network", "series", "series_table", "report"}
+    names -= {f"export_{name}" for name in others}
+    assert {f"hull.{name}" for name in names} == set(found)

@@ -60,6 +60,16 @@ def test_too_many_plates_are_one_sentence(tmp_path, monkeypatch):
     assert not list(tmp_path.iterdir())
 
 
+@pytest.mark.parametrize("name", ["plates.svg", "plates"])
+def test_an_ending_is_refused_before_the_work(tmp_path, monkeypatch, name):
+    sample("coaster")
+    hull_native = part("bridge.native").require()
+    monkeypatch.setattr(hull_native, "seams_by_rules", lambda *a, **k: pytest.fail("begun"))
+    with pytest.raises(RuntimeError, match=f'"{name}" does not say.*.pdf, .dxf or .csv'):
+        bpy.ops.hull.export_plates(filepath=str(tmp_path / name))
+    assert not list(tmp_path.iterdir())
+
+
 def test_plates_by_the_panel_s_rules(tmp_path):
     hull = sample("coaster")
     assert bpy.ops.hull.suggest_seams() == {"FINISHED"}

@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Models and panels written in Blender: what the functions of the module make."""
 
+import re
+
 import bpy
 import numpy as np
 import pytest
-from addon_under_test import add_hull, part
+from addon_under_test import add_hull, make_active, part, sample, state_of
 
 
 def read_stl(path):
@@ -181,3 +183,54 @@ def test_cancelling_leaves_nothing(tmp_path):
         task.result()
     part("features.conversion.conversions").take_finished()
     assert not list(tmp_path.iterdir())
+
+
+def without_title(path):
+    """The bytes of a file but for the hull's name and those of parts, which count up."""
+    return re.sub(rb"\A[^\n]*\n|solid [^\n]*\n|\.001", b"", path.read_bytes())
+
+
+def with_keel():
+    hull = sample("sailing_yacht")
+    bpy.ops.hull.add_appendage(kind="FIN_KEEL")
+    bpy.context.view_layer.update()
+    make_active(hull)
+    return hull, part("bridge.objects.appendages").of_hull(hull)[0].name
+
+
+def test_files_of_a_hull_with_a_keel_say_that_they_are_without(tmp_path, capfd):
+    """And are what they are without one, as is the error that panels are told to have."""
+    calls = (
+        ("export_model", "a.stl", {"tolerance": 1.0, "scale": 20.0}),
+        ("export_panels", "a.gdf", {}),
+        ("export_parts", "b.stl", {"part_tolerance": 20.0}),
+    )
+    sample("sailing_yacht")
+    texts, files = [], []
+    for call, name, options in calls:
+        getattr(bpy.ops.hull, call)(filepath=str(tmp_path / name), **options)
+        texts.append(capfd.readouterr().out)
+        files.append(without_title(tmp_path / name))
+    hull, keel = with_keel()
+    for (call, name, options), text, data in zip(calls, texts, files):
+        getattr(bpy.ops.hull, call)(filepath=str(tmp_path / name), **options)
+        told = capfd.readouterr().out
+        assert f"Without {keel}: appendages are in closed STEP and IGES files" in told
+        assert "Without" not in text
+        assert without_title(tmp_path / name) == data
+        if call == "export_panels":
+            assert (
+                re.search(r"volume [+-][\d.]+ %", told)[0]
+                == re.search(r"volume [+-][\d.]+ %", text)[0]
+            )
+    for make, figures in (
+        (bpy.ops.hull.make_model, lambda models: models.model_figures(hull)),
+        (bpy.ops.hull.make_panels, lambda models: models.panel_figures(hull, bpy.context.scene)),
+    ):
+        make()
+        found, is_current = figures(part("features.exchange.made_models"))
+        assert is_current and f"Without {keel}" in found.remark
+    # The exact volume beside the panels is the bare hull's.
+    volume = float(dict(found.rows)["Exact ∇"].split()[0])
+    joined = state_of(hull).hydrostatics.values.displaced_volume
+    assert joined > 1.01 * volume

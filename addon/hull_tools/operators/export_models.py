@@ -35,7 +35,8 @@ class ExportAsSet(ExportWithNumbers):
         )
 
     def outcome(self, result, scene):
-        return f"{self.bl_label}: {result}", False
+        text, remark = result
+        return _with_remark(f"{self.bl_label}: {text}", remark)
 
 
 def _with_remark(text, remark):
@@ -89,10 +90,6 @@ class HULL_OT_export_model(bpy.types.Operator, ExportAsSet):
         return production_files.ModelFile(
             hull, scene, self.filepath, made_models.model_options(told), told.layer
         )
-
-    def outcome(self, result, scene):
-        text, remark = result
-        return _with_remark(f"{self.bl_label}: {text}", remark)
 
 
 class HULL_OT_export_panels(bpy.types.Operator, ExportAsSet):
@@ -168,7 +165,7 @@ class HULL_OT_make_panels(bpy.types.Operator, TaskOperator):
         return made_models.PanelMaking(hull, scene)
 
     def outcome(self, result, scene):
-        return f"Panels: {made_models.told_panels(result)}", False
+        return _with_remark(f"Panels: {result.told()}", result.remark)
 
 
 CLASSES = (

@@ -15,6 +15,18 @@ from .export_hull import ExportByTask, ExportDrawing, formats
 from .export_production import ExportWithNumbers
 
 
+def _largest_view(context):
+    """The RegionView3D of the largest 3D view, as an operator of File › Export is in none; None in
+    the background, which has none to look at."""
+    if bpy.app.background:
+        return None
+    areas = (area for window in context.window_manager.windows for area in window.screen.areas)
+    views = [area for area in areas if area.type == "VIEW_3D"]
+    if not views:
+        return None
+    return max(views, key=lambda area: area.width * area.height).spaces.active.region_3d
+
+
 class HULL_OT_export_view(bpy.types.Operator, ExportWithNumbers):
     """Draw the hull as the 3D view shows it, with the lines of Sections, knuckles and outlines, and
     what is hidden left out: PDF, SVG or DXF"""
@@ -51,7 +63,7 @@ class HULL_OT_export_view(bpy.types.Operator, ExportWithNumbers):
         return super().run_on(hull, context)
 
     def _seen(self, hull, context):
-        shown = context.region_data
+        shown = context.region_data or _largest_view(context)
         if shown is None:
             axes = native.require().view_axes(self.azimuth, self.elevation)
             return view_files.View(axes)

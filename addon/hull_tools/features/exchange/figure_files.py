@@ -7,7 +7,7 @@ from ...bridge.background import jobs
 from ...bridge.blender import units
 from ..conversion import conversions
 from ..hull import hull_state
-from .made_models import checked_ending
+from .endings import checked_ending
 
 
 class FigureFiles(jobs.JobTask):

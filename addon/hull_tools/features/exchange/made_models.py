@@ -3,7 +3,6 @@
 panel_mesh ask for them: made in threads, and the figures of the last ones."""
 
 from dataclasses import dataclass
-from pathlib import Path
 
 from ...bridge import limits, native
 from ...bridge.background import jobs
@@ -13,6 +12,7 @@ from ...bridge.counts import counted
 from ..conversion import conversions
 from ..flotation import afloat
 from ..hull import hull_state
+from . import left_out
 
 _MILLIMETRES = 1000.0
 # Depth of a dowel's hole, of its diameter.
@@ -78,11 +78,12 @@ def panel_options(settings):
 @dataclass(frozen=True)
 class MadeModel:
     """model: hull_native.ClosedModel in mm; hollow: HollowModel or None; parts: ModelSegments or
-    None."""
+    None. left_out: left_out.remark."""
 
     model: object
     hollow: object = None
     parts: object = None
+    left_out: str = ""
 
     def pieces(self):
         """The ClosedModels of all segments, or the model alone, in single precision."""
@@ -100,7 +101,10 @@ class MadeModel:
         return text
 
     def remark(self):
-        """What is amiss with segments, or nothing."""
+        """What is amiss with it, or nothing."""
+        return ". ".join(text for text in (self.left_out, self._of_segments()) if text)
+
+    def _of_segments(self):
         if self.parts is None:
             return ""
         lost = [k for k, one in enumerate(self.parts.segments, 1) if not one.can_be_made]
@@ -113,10 +117,11 @@ class MadeModel:
         return "; ".join(texts)
 
 
-def made_model(hull_native, source, options, progress):
-    """The MadeModel of a state's source, in a thread; ValueError with the reason."""
+def made_model(hull_native, source, names, options, progress):
+    """The MadeModel of a state's source, in a thread, without the appendages of these names;
+    ValueError with the reason."""
     factor = _MILLIMETRES / options.scale
-    body = source.new_body(source.new_surface())
+    body = source.bare_body(source.new_surface())
     progress(0.1)
     model = hull_native.closed_model(
         body, options.tolerance / factor, progress=lambda share: progress(0.1 + 0.2 * share)
@@ -138,7 +143,7 @@ def made_model(hull_native, source, options, progress):
             progress=lambda share: progress(0.6 + 0.35 * share),
         )
     progress(0.95)
-    return MadeModel(model, hollow, parts)
+    return MadeModel(model, hollow, parts, left_out.remark(names, body))
 
 
 def _check_count(model):
@@ -150,14 +155,29 @@ def _check_count(model):
         )
 
 
-def made_panels(hull_native, source, where, options, progress):
-    """The hull_native.PanelMesh of a state's source as it floats (afloat.afloat), in a thread."""
+@dataclass(frozen=True)
+class MadePanels:
+    """mesh: hull_native.PanelMesh. remark: left_out.remark."""
+
+    mesh: object
+    remark: str = ""
+
+    def told(self):
+        """One text about them."""
+        off = self.mesh.volumes.mean() / self.mesh.displaced_volume - 1.0
+        sides = "of the port half" if self.mesh.half else "of both sides"
+        return f"{len(self.mesh.panels)} panels {sides}, volume {100.0 * off:+.2f} %"
+
+
+def made_panels(hull_native, source, names, where, options, progress):
+    """The MadePanels of a state's source as it floats (afloat.afloat), in a thread, without the
+    appendages of these names."""
     surface = source.new_surface()
-    body = source.new_body(surface)
+    body = source.bare_body(surface)
     progress(0.1)
     x = surface.mesh.points[:, 0]
     size = (where.length_pp or float(x.max() - x.min())) / options.along
-    return hull_native.wetted_panels(
+    mesh = hull_native.wetted_panels(
         body,
         size,
         grading=options.grading,
@@ -165,25 +185,7 @@ def made_panels(hull_native, source, where, options, progress):
         progress=lambda share: progress(0.1 + 0.8 * share),
         **where.position(),
     )
-
-
-def told_panels(mesh):
-    """One text about panels."""
-    off = mesh.volumes.mean() / mesh.displaced_volume - 1.0
-    sides = "of the port half" if mesh.half else "of both sides"
-    return f"{len(mesh.panels)} panels {sides}, volume {100.0 * off:+.2f} %"
-
-
-def checked_ending(path, endings, what):
-    """The ending of a file's name, in small letters; ValueError for one that is none of them."""
-    ending = Path(path).suffix.lower()
-    if ending not in endings:
-        known = ", ".join(endings[:-1]) + " or " + endings[-1]
-        raise ValueError(
-            f'"{Path(path).name}" does not say how {what} is written: give it a name that ends in '
-            f"{known}"
-        )
-    return ending
+    return MadePanels(mesh, left_out.remark(names, body))
 
 
 class _Making(jobs.JobTask):
@@ -201,9 +203,6 @@ class _Making(jobs.JobTask):
         kept[self._name] = Figures(self._key, self.rows(made), self.remark(made))
         return made
 
-    def remark(self, made):
-        return ""
-
 
 class ModelMaking(_Making):
     """The model as it would be written, for its figures."""
@@ -213,12 +212,12 @@ class ModelMaking(_Making):
     def __init__(self, obj, scene):
         options = model_options(obj.hull.model)
         state, hull_native = hull_state.up_to_date(obj, scene), native.require()
-        source = state.ship.source
+        source, names = state.ship.source, left_out.names_of(obj)
         super().__init__(
             state,
             _MODEL,
-            options,
-            lambda progress: made_model(hull_native, source, options, progress),
+            (options, names),
+            lambda progress: made_model(hull_native, source, names, options, progress),
         )
 
     def rows(self, made):
@@ -248,25 +247,29 @@ class PanelMaking(_Making):
     def __init__(self, obj, scene):
         options = panel_options(obj.hull.panel_mesh)
         state, hull_native = hull_state.up_to_date(obj, scene), native.require()
-        source = state.ship.source
+        source, names = state.ship.source, left_out.names_of(obj)
         where = afloat.afloat(obj.hull, units.metres_per_unit(scene))
         self._shown = units.shown_in(scene)
         super().__init__(
             state,
             _PANELS,
-            (options, where),
-            lambda progress: made_panels(hull_native, source, where, options, progress),
+            (options, where, names),
+            lambda progress: made_panels(hull_native, source, names, where, options, progress),
         )
 
     def rows(self, made):
-        off = 100.0 * (made.volumes / made.displaced_volume - 1.0)
+        mesh = made.mesh
+        off = 100.0 * (mesh.volumes / mesh.displaced_volume - 1.0)
         return (
-            ("Panels", f"{len(made.panels)}"),
-            ("Sides", "Port half" if made.half else "Both"),
-            ("Wetted", self._shown.text(made.area, "m2", 1)),
-            ("Exact ∇", self._shown.text(made.displaced_volume, "m3", 1)),
+            ("Panels", f"{len(mesh.panels)}"),
+            ("Sides", "Port half" if mesh.half else "Both"),
+            ("Wetted", self._shown.text(mesh.area, "m2", 1)),
+            ("Exact ∇", self._shown.text(mesh.displaced_volume, "m3", 1)),
             ("Off ∇", f"{off.mean():+.2f} %"),
         )
+
+    def remark(self, made):
+        return made.remark
 
 
 def _key(state, options):
@@ -285,11 +288,11 @@ def _figures(obj, name, options):
 def model_figures(obj):
     """(the last Figures of a hull's model or None, whether they are of hull and settings as they
     are)."""
-    return _figures(obj, _MODEL, model_options(obj.hull.model))
+    return _figures(obj, _MODEL, (model_options(obj.hull.model), left_out.names_of(obj)))
 
 
 def panel_figures(obj, scene):
     """The same of its panels."""
     options = panel_options(obj.hull.panel_mesh)
     where = afloat.afloat(obj.hull, units.metres_per_unit(scene))
-    return _figures(obj, _PANELS, (options, where))
+    return _figures(obj, _PANELS, (options, where, left_out.names_of(obj)))

@@ -12,6 +12,7 @@ from ...bridge.background import jobs
 from ..conversion import conversions
 from ..hull import hull_state
 from . import plate_rules
+from .endings import checked_ending
 
 # Knuckles in the centre plane that may have been meant to be none, rad; others are keels and stems.
 _SLIGHT = radians(10.0)
@@ -124,6 +125,7 @@ class PlateFile(PlateTask):
     at true size) or .csv (the list)."""
 
     def __init__(self, obj, scene, path, **sizes):
+        checked_ending(path, (".pdf", ".dxf", ".csv"), "a set of plates")
         self._path = path
         super().__init__(obj, scene, **sizes)
 

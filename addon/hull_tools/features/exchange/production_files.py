@@ -24,7 +24,9 @@ from ...bridge.objects import hull_objects
 from ..conversion import conversions
 from ..flotation import afloat
 from ..hull import hull_state
-from .made_models import checked_ending, made_model, made_panels, told_panels
+from . import left_out
+from .endings import checked_ending
+from .made_models import made_model, made_panels
 
 MODEL_ENDINGS = (".stl", ".3mf", ".obj", ".cli")
 PANEL_ENDINGS = (".gdf", ".dat", ".obj")
@@ -47,17 +49,19 @@ class ModelFile(jobs.JobTask):
             )
         self.state = hull_state.up_to_date(obj, scene)
         source = self.state.ship.source
-        hull_native, title = native.require(), obj.name
+        hull_native, title, names = native.require(), obj.name, left_out.names_of(obj)
 
         def work(progress):
-            made = made_model(hull_native, source, options, lambda share: progress(0.8 * share))
+            made = made_model(
+                hull_native, source, names, options, lambda share: progress(0.8 * share)
+            )
             told = made.told()
             if ending == ".cli":
                 layers = made.model.layers(
                     layer, progress=lambda share: progress(0.8 + 0.15 * share)
                 )
                 write_cli(path, layers)
-                return f"{len(layers.slices)} layers of {told}", ""
+                return f"{len(layers.slices)} layers of {told}", made.remark()
             pieces = [(one.points, one.triangles) for one in made.pieces()]
             progress(0.85)
             if made.parts is not None:
@@ -75,8 +79,8 @@ class ModelFile(jobs.JobTask):
 
 class PanelFile(jobs.JobTask):
     """Panels of the hull as it floats, by PanelOptions and the name's ending .gdf, .dat (Nemoh) or
-    .obj, in metres. The origin is amidships where Lpp is given, else at x = 0. result(): a text
-    about the panels.
+    .obj, in metres. The origin is amidships where Lpp is given, else at x = 0. result(): (a text
+    about the panels, what is amiss with them or nothing).
     """
 
     text = "Making panels"
@@ -87,16 +91,18 @@ class PanelFile(jobs.JobTask):
         self.state = hull_state.up_to_date(obj, scene)
         source = self.state.ship.source
         hull_native, title = native.require(), gdf_title(obj.name)
+        names = left_out.names_of(obj)
 
         def work(progress):
-            mesh = made_panels(hull_native, source, where, options, progress)
+            made = made_panels(hull_native, source, names, where, options, progress)
+            mesh = made.mesh
             if ending == ".dat":
                 write_nemoh(path, mesh.points, mesh.panels, half=mesh.half)
             elif ending == ".obj":
                 write_obj(path, mesh.points, mesh.panels)
             else:
                 write_gdf(path, mesh.points, mesh.panels, half=mesh.half, title=title)
-            return told_panels(mesh)
+            return made.told(), made.remark
 
         self._job = jobs.Job(work)
         conversions.watch(self)
@@ -104,7 +110,8 @@ class PanelFile(jobs.JobTask):
 
 class PartsFile(jobs.JobTask):
     """The closed hull in named parts as one STL text in metres, for snappyHexMesh: layers of the
-    hull by their names, the rest by hull_native.surface_parts. tolerance: m. result(): a text."""
+    hull by their names, the rest by hull_native.surface_parts. tolerance: m. result(): (a text,
+    what is amiss or nothing)."""
 
     text = "Making parts"
 
@@ -113,10 +120,11 @@ class PartsFile(jobs.JobTask):
         self.state = hull_state.up_to_date(obj, scene)
         source = self.state.ship.source
         hull_native, slots = native.require(), _named_slots(obj)
+        names = left_out.names_of(obj)
 
         def work(progress):
             surface = source.new_surface()
-            body = source.new_body(surface)
+            body = source.bare_body(surface)
             model = hull_native.closed_model(
                 body, tolerance, progress=lambda share: progress(0.1 + 0.6 * share)
             )
@@ -124,7 +132,8 @@ class PartsFile(jobs.JobTask):
             parts = hull_native.surface_parts(model, _named_cells(slots, surface))
             write_stl_parts(path, model.points, parts)
             counts = ", ".join(f"{name} {len(own)}" for name, own in parts.items())
-            return f"{len(model.triangles)} triangles: {counts}"
+            text = f"{len(model.triangles)} triangles: {counts}"
+            return text, left_out.remark(names, body)
 
         self._job = jobs.Job(work)
         conversions.watch(self)

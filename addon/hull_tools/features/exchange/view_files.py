@@ -11,10 +11,10 @@ from ...bridge.background import jobs
 from ...bridge.blender import units
 from ..conversion import conversions
 from ..hull import hull_state
-from ..lines import lines, lines_plan
+from ..lines import line_places, lines
 from ..variants import other_hull
 from . import cad_curves
-from .made_models import checked_ending
+from .endings import checked_ending
 
 # Of the hull's size: how far curves in space are from the surface's.
 _TOLERANCE = 1e-6
@@ -43,12 +43,13 @@ class ViewFile(jobs.JobTask):
         self.state = hull_state.up_to_date(obj, scene)
         source, hull_native = self.state.ship.source, native.require()
         scale, title = units.metres_per_unit(scene), obj.name
-        wanted = lines_plan.drawing_options(obj.hull, self.state.ship.surface, scale)
-        given = {name: wanted[name] for name in ("stations", "waterlines", "buttocks")}
+        places = line_places.line_places(obj.hull, scale)
+        cuts = places.positions(self.state.ship.surface.mesh.points)
+        given = dict(zip(("stations", "waterlines", "buttocks"), cuts))
 
         def work(progress):
             drawing = hull_native.view_drawing(
-                source.new_body(source.new_surface()),
+                source.bare_body(source.new_surface()),
                 axes=view.axes,
                 distance=view.distance,
                 hidden=hidden,
