@@ -121,7 +121,7 @@ def test_stations_in_frames_of_ranges(tmp_path):
 
     assert shown() == pytest.approx([-0.5, 1.0, 2.0 + 2.5 * 0.8])
     words = export(tmp_path / "box.dxf").read_text().splitlines()
-    assert {"2", "6.5", "−1".replace("−", r"\U+2212")} <= set(words)
+    assert {"2", "6.5"} <= set(words)
     plates.ranges[1].spacing = 1.0
     assert shown()[-1] == pytest.approx(4.5)
     plates.numbered_from = "FP"

@@ -6,7 +6,7 @@ import re
 
 import bpy
 import pytest
-from addon_under_test import add_hull, make_active, part, state_of
+from addon_under_test import add_hull, make_active, part, sample, state_of
 
 FACES = [(0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5)]
 
@@ -62,6 +62,14 @@ def test_a_hull_of_one_body_is_not_looked_at(monkeypatch):
         ship = state_of(hull).ship
         assert not ship.body.may_overlap and ship.body.joined_volume is None
         assert not ship.overlap and not ship.source.once
+
+
+def test_so_little_stays_as_it_is():
+    """The yacht's rudder in her hull: told, and counted as transformations count it."""
+    hull = sample("sailing_yacht")
+    ship = state_of(hull).ship
+    assert ship.overlap == "Bodies of the hull's mesh overlap by 0.00344 m³"
+    assert not ship.source.once and ship.body.joined_volume is None and not ship.added_up
 
 
 def test_points_that_move():

@@ -59,7 +59,8 @@ class HULL_PT_hydrostatics(HullPanel, bpy.types.Panel):
         if ship.added_up:
             label_wrapped(layout, context, f"{ship.overlap}, which count twice", icon="ERROR")
         elif ship.overlap:
-            label_wrapped(layout, context, f"{ship.overlap}, which count once")
+            often = "once" if ship.source.once else "twice, being so little"
+            label_wrapped(layout, context, f"{ship.overlap}, which count {often}")
 
 
 class _GroupPanel(HullPanel):

@@ -14,8 +14,9 @@ from ...bridge.mesh import mesh_arrays, mesh_check, moves, valid_part
 from . import ship
 from .appendages import native_bodies
 
-# Of the size cubed: volume that bodies have in common by rounding.
-_NOTHING = 1e-12
+# Of the box around the hull: volume that bodies have in common by rounding; and how little stays
+# counted twice, as a rudder's end within the hull: all that moves the hull's points has it twice.
+_NOTHING, _SLIGHT = 1e-12, 1e-4
 
 
 @dataclass
@@ -167,9 +168,10 @@ class LiveShip:
             self.overlap = ship.overlap_words(body.own_overlaps)
             self.added_up = str(error) if self.overlap else ""  # they may only touch
             return source, body
-        lost = -body.joined_volume
-        if lost <= _NOTHING * body.surface.mesh.size**3:
+        lost, around = -body.joined_volume, np.prod(np.ptp(source.control.points, axis=0))
+        if lost > _NOTHING * around:
+            self.overlap = ship.words_of_overlap(lost)
+        if lost <= _SLIGHT * around:
             return source, source.live_body(body.surface)
-        self.overlap = ship.words_of_overlap(lost)
         self.memory.clear()
         return replace(source, once=True), body
