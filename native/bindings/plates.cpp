@@ -2,6 +2,7 @@
 #include <pybind11/eigen.h>
 #include <pybind11/stl.h>
 
+#include <map>
 #include <stdexcept>
 
 #include "bindings/arrays.h"
@@ -67,6 +68,25 @@ py::list plate_sides(const OnePlate& one) {
     loops.append(named_sides(one, loop, std::move(lines)));
   }
   return loops;
+}
+
+// Cells that the plate has triangles in, rising, and the area of these in each.
+py::tuple plate_cells(const OnePlate& one) {
+  std::map<int, double> areas;
+  const production::ShellMesh& mesh = one.plating->shell->mesh;
+  for (const int number : one.plate().triangles) {
+    const production::ShellTriangle& t = mesh.triangles[number];
+    const Vector3d& a = mesh.points[t.points[0]];
+    const Vector3d normal = (mesh.points[t.points[1]] - a).cross(mesh.points[t.points[2]] - a);
+    areas[t.cell] += 0.5 * normal.norm();
+  }
+  std::vector<int> cells;
+  std::vector<double> parts;
+  for (const auto& [cell, area] : areas) {
+    cells.push_back(cell);
+    parts.push_back(area);
+  }
+  return py::make_tuple(to_array(cells), to_array(parts));
 }
 
 py::list flat_plate_sides(const OneFlatPlate& one) {
@@ -197,6 +217,10 @@ void bind_plate(py::module_& module) {
           "loops", &plate_sides,
           "Its borders, the longest first, counter-clockwise seen from the water: lists of pairs, "
           "the name of the curve there (\"\" on the hull's border) and points (k, 3), m.")
+      .def_property_readonly("cells", &plate_cells,
+                             "(cells, areas), both (k,): the surface's cells that the plate has a "
+                             "part of, rising, and "
+                             "how large that is by its flat triangles, m²; of one side.")
       .def(
           "flat",
           [](const OnePlate& one, double poisson) {

@@ -229,3 +229,23 @@ def test_places_of_frames():
     with pytest.raises(ValueError, match="Frame 131 is beyond the table, which has −5 to 130"):
         table.places([131])
     assert np.isnan(plating.frame_places([131], 84.0)).all()
+
+
+def test_a_template_along_the_hull_s_border():
+    """Of the cylinder's end, which is a border: its profile."""
+    surface = cylinder()
+    curves = curves_of(surface)
+    (listed,) = listed_plates(surface)
+    marks = hn.plane_marks(curves, "x", [0.0, 6.0], ["aft", "fore"])
+    made = hn.plate_templates(listed, curves, marks, height=0.2)
+    inside = hn.plate_templates(
+        listed, curves, curves.in_plane(hn.plane_across("x", 3.0), "Fr"), height=0.2
+    )
+    assert [each.name for each in made] == ["aft", "fore"]
+    for each in made:
+        assert length(each.line) == pytest.approx(length(inside[0].line), rel=1e-4)
+        assert each.line[:, 1].max() == pytest.approx(inside[0].line[:, 1].max(), abs=1e-4)
+
+
+def length(line):
+    return np.linalg.norm(np.diff(line, axis=0), axis=1).sum()

@@ -1,13 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The five figures that present a hull, after the appendices of Greshake 2021."""
 
-import errno
-import os
-import shutil
-import tempfile
 from pathlib import Path
 
 from .figure_form import FigureForm
+from .folder_beside import FolderBeside
 from .hull_pictures import SeenHull, reflection_sheet, rendering_sheet
 from .lines_plan import write_lines_drawing
 from .mesh_figures import mesh_sheet
@@ -64,7 +61,7 @@ def write_hull_figures(
     targets = [
         stem.with_name(f"{stem.name}-{figure}{ending}") for figure in figures for ending in endings
     ]
-    with _Folder(targets) as folder:
+    with FolderBeside(targets) as folder:
         for figure, write in _writers(form, figures, progress or (lambda share: None)):
             for ending in endings:
                 write(str(folder / f"{figure}{ending}"))
@@ -168,36 +165,3 @@ class _LinesPlan:
             paper=sheet,
             scale=scale,
         )
-
-
-class _Folder:
-    """A folder beside targets in which files are made before they get their names."""
-
-    def __init__(self, targets):
-        self._targets = [Path(os.path.realpath(target)) for target in targets]
-
-    def __enter__(self):
-        parent = self._targets[0].parent
-        for target in self._targets:
-            if target.is_dir():
-                raise OSError(errno.EISDIR, f"{target} is a folder: choose another name")
-            if target.exists() and not target.is_file():
-                raise OSError(errno.EEXIST, f"{target} is no file: choose another name")
-        try:
-            self._path = Path(tempfile.mkdtemp(prefix=".figures-", dir=parent))
-        except OSError as error:
-            raise OSError(
-                error.errno, f"Nothing can be written to the folder {parent}: {error.strerror}"
-            ) from error
-        return self
-
-    def __truediv__(self, name):
-        return self._path / name
-
-    def hand_over(self, made):
-        """Gives files their names; all of them are on the disk."""
-        for one, target in zip(made, self._targets):
-            os.replace(one, target)
-
-    def __exit__(self, *unused):
-        shutil.rmtree(self._path, ignore_errors=True)

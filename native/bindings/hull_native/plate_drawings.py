@@ -6,12 +6,13 @@ from math import atan2, cos, degrees, isfinite, pi, sin
 import numpy as np
 
 from ._core import plane_across
-from ._drawing import ShopDrawing, write_shop_booklet
+from ._drawing import ShopDrawing
 from .plate_lists import form_of
+from .shop_files import shop_ending, write_shop_drawings
 
 _STRETCH_LINES = 6
-# Of DXF files: room between plates, mm; breadths by which words grow, m, and how far.
-_GAP, _WORDS_OF_BREADTH, _LARGEST_WORDS = 500.0, 0.25, 10.0
+# Of DXF files: breadths by which words grow, m, and how far.
+_WORDS_OF_BREADTH, _LARGEST_WORDS = 0.25, 10.0
 
 
 def length_of(line):
@@ -198,61 +199,44 @@ def nesting_drawing(stock, name):
     drawing.add_line("BASE", [(0, 0), (a, 0), (a, b), (0, b), (0, 0)])
     for one, x, y in stock.laid:
         shift = np.array([x, y])
-        for _, line in one.flat.sides:
+        for line in one.outline:
             drawing.add_line("OUTLINE", 1000.0 * (line + shift))
         middle = 0.5 * one.flat.points.max(axis=0) + shift
         drawing.add_text(one.name, 1000.0 * middle, size=20.0)
     return drawing
 
 
-def frame_marks(curves, table, low, high):
-    """SurfaceCurves of the frames of a FrameTable from x = low to high, named "Fr …", made by
-    HullCurves; frames that do not meet the hull are left out."""
+def plane_marks(curves, axis, places, names):
+    """SurfaceCurves in the planes across an axis "x", "y" or "z" at places (m), each by its name,
+    made by HullCurves; planes that do not meet the hull are left out."""
     marks = []
-    for number in table.within(low, high):
-        k = int(np.flatnonzero(table.numbers == number)[0])
+    for place, name in zip(places, names):
         try:
-            plane = plane_across("x", table.positions[k])
-            marks += curves.in_plane(plane, f"Fr {table.names[k]}")
+            marks += curves.in_plane(plane_across(axis, float(place)), name)
         except ValueError:
             continue
     return marks
 
 
+def frame_marks(curves, table, low, high):
+    """SurfaceCurves of the frames of a FrameTable from x = low to high, named "Fr …", as
+    plane_marks()."""
+    at = np.flatnonzero(np.isin(table.numbers, table.within(low, high)))
+    return plane_marks(curves, "x", table.positions[at], [f"Fr {table.names[k]}" for k in at])
+
+
 def write_plates(listed, path, *, marks=(), paper="A3", progress=None):
-    """Writes ListedPlates: to .pdf, a page each at the largest usual scale at which it fits; to
-    .dxf, all of them in columns at true size, in mm. marks: as of plate_drawing(). progress:
-    called with the share done. ValueError for another ending, OSError if the file can't be written.
-    """
-    ending = str(path).lower().rpartition(".")[2]
-    if ending not in ("pdf", "dxf"):
-        raise ValueError(f"Plates can't be written to {path}: the name must end in .pdf or .dxf.")
-    is_dxf, drawings = ending == "dxf", []
+    """Writes ListedPlates as write_shop_drawings() does, in one file; in .dxf with words that grow
+    with the plate. marks: as of plate_drawing(). progress: called with the share done."""
+    is_dxf, drawings = shop_ending(path) == ".dxf", []
     for k, one in enumerate(listed):
         if progress:
             progress(k / len(listed))
         words = _words_on_screen(one) if is_dxf else 1.0
         drawings.append(plate_drawing(one, marks=marks, words=words))
-    if is_dxf:
-        _side_by_side(listed, drawings).write(path)
-    else:
-        write_shop_booklet(drawings, path, paper=paper)
+    write_shop_drawings(drawings, path, paper=paper)
 
 
 def _words_on_screen(one):
     """So that words can be read with the whole plate on the screen, and fit between its frames."""
     return min(max(one.extents[1] / _WORDS_OF_BREADTH, 1.0), _LARGEST_WORDS)
-
-
-def _side_by_side(listed, drawings):
-    """All in one ShopDrawing, in columns, about as high as they are broad together."""
-    sizes = [(1000.0 * one.extents[0] + _GAP, 1000.0 * one.extents[1] + _GAP) for one in listed]
-    broadest, height = max(size[0] for size in sizes), sum(size[1] for size in sizes)
-    tallest = max(np.sqrt(broadest * height), max(size[1] for size in sizes))
-    whole, x, y = ShopDrawing("Plates"), 0.0, 0.0
-    for (_, high), drawing in zip(sizes, drawings):
-        if y > 0.0 and y + high > tallest:
-            x, y = x + broadest, 0.0
-        whole.add(drawing, (x, y))
-        y += high
-    return whole

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The list of a shell's plates: sizes, weights, stretch; and how they lie on stock plates."""
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from math import degrees, isfinite
 
 from .csv_rows import csv_text
@@ -14,13 +14,15 @@ PAIR = " P/S"
 
 @dataclass(frozen=True)
 class ListedPlate:
-    """A Plate with its name, thickness (m) and FlatPlate."""
+    """A Plate with its name, thickness (m) and FlatPlate. is_turned: it is the other side's, the
+    mirror image of these."""
 
     name: str
     plate: object
     thickness: float
     flat: object
     density: float = STEEL
+    is_turned: bool = False
 
     @property
     def mass_t(self):
@@ -36,6 +38,22 @@ class ListedPlate:
     def extents(self):
         """(length, breadth) of the least rectangle around the flat plate, m."""
         return tuple(float(e) for e in self.flat.points.max(axis=0))
+
+    @property
+    def outline(self):
+        """Lines (k, 2) of the flat plate's sides, m, seen from the water."""
+        lines = [line for _, line in self.flat.sides]
+        if not self.is_turned:
+            return lines
+        return [line * [-1.0, 1.0] + [self.extents[0], 0.0] for line in lines]
+
+    @property
+    def pieces(self):
+        """ListedPlates of single pieces: itself, or one a side, "… P" and "… S"."""
+        if not self.is_pair:
+            return [self]
+        name = self.name[: -len(PAIR)]
+        return [replace(self, name=f"{name} P"), replace(self, name=f"{name} S", is_turned=True)]
 
 
 def plate_list(

@@ -7,6 +7,8 @@ import numpy as np
 
 from ._drawing import ShopDrawing
 
+_SHORTEST = 0.05  # m
+
 
 @dataclass(frozen=True)
 class Template:
@@ -29,28 +31,26 @@ def plate_templates(listed, curves, marks, *, height=0.15):
     """
     if not (np.isfinite(height) and height > 0.0):
         raise ValueError(f"The height of templates must be above 0 m, not {height:g}.")
-    on_plate = [
-        (curve.name, hull[0], hull[-1])
-        for curve in marks
-        for flat, hull in listed.flat.marks(curve)
-        if np.linalg.norm(hull[-1] - hull[0]) > 0.05
-    ]
-    if not on_plate:
-        raise ValueError(
-            f"No mark crosses plate {listed.name}: there is nothing to make templates at."
-        )
     normal, centre = mean_normal(listed.plate)
     cuts = []
-    for name, begin, end in on_plate:
+    for mark, begin, end in _crossings(listed, marks):
         along = end - begin
         along -= (along @ normal) * normal
         along /= np.linalg.norm(along)
         across = np.cross(normal, along)
-        for curve in curves.in_plane(np.append(across, across @ begin), name):
+        try:
+            found = curves.in_plane(np.append(across, across @ begin), mark.name)
+        except ValueError:
+            found = [mark]  # along the hull's border, which the plane misses by rounding
+        for curve in found:
             for _, hull in listed.flat.marks(curve):
                 # Of the plane's branches the one at the mark.
                 if min(np.linalg.norm(hull - begin, axis=1)) < 0.3 * np.linalg.norm(end - begin):
-                    cuts.append((name, hull, along))
+                    cuts.append((mark.name, hull, along))
+    if not cuts:
+        raise ValueError(
+            f"No mark crosses plate {listed.name}: there is nothing to make templates at."
+        )
     plane = min(float(((hull - centre) @ normal).min()) for _, hull, _ in cuts) - height
     made = []
     for name, hull, along in cuts:
@@ -59,6 +59,17 @@ def plate_templates(listed, curves, marks, *, height=0.15):
             line, hull = line[::-1], hull[::-1]
         made.append(Template(name, line, hull))
     return made
+
+
+def _crossings(listed, marks):
+    """(mark, begin, end) of the parts of marks on a ListedPlate that are longer than 0.05 m, their
+    ends (3,) on the hull: where templates can stand."""
+    return [
+        (curve, hull[0], hull[-1])
+        for curve in marks
+        for _, hull in listed.flat.marks(curve)
+        if np.linalg.norm(hull[-1] - hull[0]) > _SHORTEST
+    ]
 
 
 def mean_normal(plate):
