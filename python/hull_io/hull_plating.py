@@ -5,7 +5,8 @@
                           {"kind": "projected", "line": [[x, y, z], ...]}],
                 "along_knuckles": true, "across_centre": true, "thickness": m,
                 "first_frame": n, "ranges": [{"last": n, "spacing": m}, ...],
-                "numbered_from": "AP" or "FP", "in_roman": false}
+                "numbered_from": "AP" or "FP", "in_roman": false,
+                "mark_waterlines": false, "mark_buttocks": false}
 
 kind: of plating_data.SEAM_KINDS; value: its girth, height, breadth, place along the ship or
 distance. What is left out is as Plating has it.
@@ -41,6 +42,8 @@ def parsed(check, content):
         [_range(check, one, f"{KEY}.ranges[{place}]") for place, one in enumerate(ranges)],
         check.choice(value["numbered_from"], f"{KEY}.numbered_from", ("AP", "FP")),
         check.flag(value["in_roman"], f"{KEY}.in_roman"),
+        check.flag(value["mark_waterlines"], f"{KEY}.mark_waterlines"),
+        check.flag(value["mark_buttocks"], f"{KEY}.mark_buttocks"),
     )
 
 
@@ -116,5 +119,7 @@ def entries(data):
             "ranges": ranges,
             "numbered_from": own.numbered_from,
             "in_roman": bool(own.in_roman),
+            "mark_waterlines": bool(own.mark_waterlines),
+            "mark_buttocks": bool(own.mark_buttocks),
         }
     }

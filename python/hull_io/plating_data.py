@@ -40,7 +40,8 @@ class FrameRange:
 class Plating:
     """rules: SeamRule. along_knuckles: seams along these, too; across_centre: keel plates are one
     with their mirror images. thickness: of the plates, m. ranges: FrameRange, from first_frame on;
-    numbered_from "AP" or "FP", in_roman numerals."""
+    numbered_from "AP" or "FP", in_roman numerals. mark_waterlines, mark_buttocks: whether those of
+    the lines plan are marked on plates."""
 
     rules: list = field(default_factory=list)
     along_knuckles: bool = True
@@ -50,6 +51,8 @@ class Plating:
     ranges: list = field(default_factory=list)
     numbered_from: str = "AP"
     in_roman: bool = False
+    mark_waterlines: bool = False
+    mark_buttocks: bool = False
 
     def frame_places(self, numbers, length):
         """(n,) x of frames (n,) by the ranges, m, of numbers between two of them in proportion;

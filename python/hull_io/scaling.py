@@ -127,7 +127,7 @@ STAYING = frozenset(
     appendages.cut appendages.mirrored
     plating.rules.kind plating.rules.on plating.along_knuckles plating.across_centre
     plating.thickness plating.first_frame plating.ranges.last plating.ranges.spacing
-    plating.numbered_from plating.in_roman
+    plating.numbered_from plating.in_roman plating.mark_waterlines plating.mark_buttocks
     notes""".split()
 )
 

@@ -19,6 +19,7 @@ PLATING = {
     "thickness": 0.012,
     "ranges": [{"last": 10, "spacing": 0.5}, {"last": 80, "spacing": 0.65}],
     "numbered_from": "FP",
+    "mark_buttocks": True,
 }
 
 
@@ -35,6 +36,7 @@ def test_written_and_read(read, tmp_path):
         thickness=0.012,
         ranges=[hull_io.FrameRange(10, 0.5), hull_io.FrameRange(80, 0.65)],
         numbered_from="FP",
+        mark_buttocks=True,
     )
     hull_io.write_hull_file(data, tmp_path / "again.hull.json")
     assert hull_io.read_hull_file(tmp_path / "again.hull.json").plating == own
@@ -70,6 +72,7 @@ def test_places_follow_and_girths_stay(read):
         ({"thickness": 0}, "plating.thickness"),
         ({"numbered_from": "midship"}, "plating.numbered_from"),
         ({"in_roman": 1}, "plating.in_roman"),
+        ({"mark_waterlines": 1}, "plating.mark_waterlines"),
     ],
 )
 def test_what_is_wrong_is_refused(read, changed, where):

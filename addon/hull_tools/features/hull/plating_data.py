@@ -7,7 +7,10 @@ from ....hull_io.plating_data import FrameRange, Plating, SeamRule
 from ...bridge.blender.units import as_stored
 from ...bridge.objects import curve_lines
 
-_PLAIN = ("along_knuckles", "across_centre", "first_frame", "numbered_from", "in_roman")
+_PLAIN = (
+    *("along_knuckles", "across_centre", "first_frame", "numbered_from", "in_roman"),
+    *("mark_waterlines", "mark_buttocks"),
+)
 _MM = 1000.0
 
 
