@@ -11,7 +11,7 @@ from ..bridge.objects import hull_objects
 from ..features.exchange import made_models, production_files
 from ..properties import production_settings as settings
 from .export_hull import formats
-from .export_production import ExportWithNumbers
+from .export_numbers import ExportWithNumbers
 from .tasks import TaskOperator
 
 

@@ -12,7 +12,7 @@ from ..bridge import native
 from ..bridge.blender import units
 from ..features.exchange import figure_files, view_files
 from .export_hull import ExportByTask, ExportDrawing, formats
-from .export_production import ExportWithNumbers
+from .export_numbers import ExportWithNumbers
 
 
 def _largest_view(context):

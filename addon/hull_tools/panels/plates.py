@@ -4,6 +4,7 @@
 import bpy
 
 from ..bridge.objects import hull_objects
+from ..features.conversion import conversions
 from ..features.exchange import plate_files
 from .conversion import draw_task
 from .shared import HullPanel, label_value, label_wrapped, text_field
@@ -51,6 +52,7 @@ class HULL_PT_plates(HullPanel, bpy.types.Panel):
         report, is_current = plate_files.last_plates(hull)
         if report is None:
             return
+        self.layout.prop(hull.hull.plates, "show_seams")
         column = self.layout.column(align=True)
         column.active = is_current
         label_wrapped(column, context, report.text)
@@ -64,6 +66,24 @@ class HULL_PT_plates(HullPanel, bpy.types.Panel):
             label_value(line, name, words)
 
 
+class HULL_PT_plate_drawings(HullPanel, bpy.types.Panel):
+    """What else is written of the plates"""
+
+    bl_label = "Marks and Drawings"
+    bl_parent_id = "HULL_PT_plates"
+    bl_options = {"DEFAULT_CLOSED"}
+
+    def draw(self, context):
+        hull = hull_objects.hull_of(context.object)
+        row = self.layout.row(heading="Mark")
+        row.prop(hull.hull.plates, "mark_waterlines")
+        row.prop(hull.hull.plates, "mark_buttocks")
+        if conversions.running(hull) is None:
+            column = self.layout.column(align=True)
+            for name in ("templates", "stretch", "nesting"):
+                column.operator(f"hull.export_{name}", icon="EXPORT")
+
+
 class HULL_PT_frames(HullPanel, bpy.types.Panel):
     """Frames that are marked on plates: spacings by ranges"""
 
@@ -72,7 +92,8 @@ class HULL_PT_frames(HullPanel, bpy.types.Panel):
     bl_options = {"DEFAULT_CLOSED"}
 
     def draw(self, context):
-        settings = hull_objects.hull_of(context.object).hull.plates
+        hull = hull_objects.hull_of(context.object)
+        settings = hull.hull.plates
         column = self.layout.column(align=True)
         column.prop(settings, "first_frame")
         for index, each in enumerate(settings.ranges):
@@ -83,6 +104,10 @@ class HULL_PT_frames(HullPanel, bpy.types.Panel):
         column.operator("hull.change_plate_list", text="Add Range", icon="ADD").action = "ADD_RANGE"
         text_field(self.layout, settings, "numbered_from")
         self.layout.prop(settings, "in_roman")
+        if settings.ranges and conversions.running(hull) is None:
+            row = self.layout.row(align=True)
+            row.operator("hull.export_frames", icon="EXPORT")
+            row.operator("hull.export_frame_table", icon="EXPORT")
 
 
 def _draw_removal(row, action, index):
@@ -90,4 +115,4 @@ def _draw_removal(row, action, index):
     button.action, button.index = action, index
 
 
-CLASSES = (HULL_PT_plates, HULL_PT_frames)
+CLASSES = (HULL_PT_plates, HULL_PT_plate_drawings, HULL_PT_frames)

@@ -6,6 +6,14 @@ from bpy.props import BoolProperty, EnumProperty, FloatProperty, StringProperty
 
 from .shared import changed, length, switch
 
+PAPERS = (
+    ("A4", "A4", "297 × 210 mm"),
+    ("A3", "A3", "420 × 297 mm"),
+    ("A2", "A2", "594 × 420 mm"),
+    ("A1", "A1", "841 × 594 mm"),
+    ("A0", "A0", "1189 × 841 mm"),
+)
+
 
 class HullTable(bpy.types.PropertyGroup):
     draft_from: length("From", "First draft of the table; 0: the first step", minimum=0.0)
@@ -86,11 +94,7 @@ class HullPlan(bpy.types.PropertyGroup):
         name="Sheet",
         description="The sheet of paper, its long side across",
         items=(
-            ("A4", "A4", "297 × 210 mm"),
-            ("A3", "A3", "420 × 297 mm"),
-            ("A2", "A2", "594 × 420 mm"),
-            ("A1", "A1", "841 × 594 mm"),
-            ("A0", "A0", "1189 × 841 mm"),
+            *PAPERS,
             ("OWN", "Own size", "Width and height as given below"),
         ),
         default="A3",

@@ -11,7 +11,7 @@ from bpy.props import (
     PointerProperty,
 )
 
-from .shared import changed
+from .shared import changed, switch
 
 _RULES = (
     ("strakes", "Strakes", "Seams at multiples of a girth from the deck edge down"),
@@ -28,7 +28,7 @@ _RULES = (
 def thickness():
     return FloatProperty(
         name="Thickness mm",
-        description="Of the plates, for their weights",
+        description="Of plates whose layer has no thickness of its own, for weights and frames",
         default=10.0,
         min=0.01,
         max=1000.0,
@@ -89,7 +89,14 @@ class HullPlates(bpy.types.PropertyGroup):
         "along the ship, are one with their mirror images",
         default=True,
     )
+    show_seams: switch("Seams in view", "Show seams, butts and names of the plates laid out", True)
     thickness: thickness()
+    mark_waterlines: BoolProperty(
+        name="Waterlines", description="Mark the waterlines of Sections on plates and frames"
+    )
+    mark_buttocks: BoolProperty(
+        name="Buttocks", description="Mark the buttocks of Sections on plates"
+    )
     first_frame: IntProperty(
         name="First frame",
         description="The number of the table's first frame; 0 is at the perpendicular",

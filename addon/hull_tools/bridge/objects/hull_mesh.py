@@ -4,6 +4,8 @@
 from dataclasses import dataclass, replace
 from functools import cached_property
 
+import numpy as np
+
 from ..mesh import mesh_arrays
 from . import appendages, hull_objects
 
@@ -53,3 +55,9 @@ def read(obj):
         "closed" if settings.deck_closed else "open",
         appendages.read(obj),
     )
+
+
+def shell_slots(obj):
+    """(n,) int32: the material slot of each face of a hull that belongs to its shell."""
+    slots = mesh_arrays.read_mesh(obj.data).face_slots
+    return slots[~np.isin(slots, sorted(hull_objects.excluded_slots(obj)))].astype(np.int32)

@@ -2,7 +2,7 @@
 """The shell in plates, laid out and written beside Blender's own work: tasks, as those of
 file_tasks are."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import degrees, radians
 from pathlib import Path
 
@@ -11,7 +11,7 @@ from ...bridge import limits, native
 from ...bridge.background import jobs
 from ..conversion import conversions
 from ..hull import hull_state
-from . import plate_rules
+from . import plate_marks, plate_rules
 from .endings import checked_ending
 
 # Knuckles in the centre plane that may have been meant to be none, rad; others are keels and stems.
@@ -22,13 +22,15 @@ _SLIGHT = radians(10.0)
 class PlateReport:
     """rows: of hull_native.plate_rows; unsettled: names of plates whose layout did not settle;
     mass_t: of both sides; key: of the geometry that it is of; knuckles_deg: of keel plates that are
-    not one with their mirror images for being slightly bent in the centre plane."""
+    not one with their mirror images for being slightly bent in the centre plane. mixed: how many
+    plates lie on layers of different thickness."""
 
     rows: list
     unsettled: list
     mass_t: float
     key: object = None
     knuckles_deg: tuple = ()
+    mixed: int = 0
 
     @property
     def text(self):
@@ -39,7 +41,27 @@ class PlateReport:
         if self.knuckles_deg:
             count, most = len(self.knuckles_deg), max(self.knuckles_deg)
             text += f"; apart at a centre knuckle of up to {most:.1f}°: {count} keel plates"
+        if self.mixed:
+            text += f"; over layers of different thickness, with that of most: {self.mixed}"
         return text
+
+
+@dataclass(frozen=True, eq=False)
+class Layout:
+    """Plates of a hull laid out. key: what they were made from. surface; curves: HullCurves of it;
+    seams: SurfaceCurves; listed: hull_native.ListedPlates."""
+
+    key: tuple
+    surface: object
+    curves: object
+    seams: list
+    listed: list
+
+    @property
+    def ends(self):
+        """(low, high) of x, m."""
+        boxes = [one.plate.box for one in self.listed]
+        return min(float(b[0][0]) for b in boxes), max(float(b[1][0]) for b in boxes)
 
 
 @dataclass
@@ -47,109 +69,162 @@ class KeptPlates:
     """What a hull's state keeps of its plates."""
 
     report: PlateReport = None
+    layout: Layout = None
 
 
 class PlateTask(jobs.JobTask):
     """Plates of a half hull's shell by the rules of Object.hull.plates, or without any by
-    strakes and plate_length, m. result(): a PlateReport."""
+    strakes and plate_length, m; those that were laid out last are taken where they are of the same
+    hull and rules. result(): a PlateReport."""
 
     text = "Laying out plates"
 
     def __init__(self, obj, scene, *, strake, plate_length, thickness, frame_spacing):
         self.state = hull_state.up_to_date(obj, scene)
-        self._key, source = self.state.ship.geometry_key, self.state.ship.source
-        settings, hull_native = obj.hull.plates, native.require()
-        if not source.half:
+        self._source, settings = self.state.ship.source, obj.hull.plates
+        if not self._source.half:
             raise ValueError(
                 "Plates are laid out of a half hull: use Make Half, and each counts twice"
             )
         rules = plate_rules.seam_rules(obj, scene) or [
-            hull_native.SeamRule("strakes", strake),
-            hull_native.SeamRule("butts", plate_length),
+            native.require().SeamRule("strakes", strake),
+            native.require().SeamRule("butts", plate_length),
         ]
-        knuckles, across = settings.along_knuckles, settings.across_centre
-        table = plate_rules.frame_table(obj, scene)
-
-        def work(progress):
-            surface = source.new_surface()
-            curves, seams = hull_native.seams_by_rules(surface, rules, knuckles=knuckles)
-            progress(0.15)
-            plates = hull_native.plates(
-                surface,
-                seams,
-                across_centre=across,
-                progress=lambda share: progress(0.15 + 0.25 * share),
-            )
-            if len(plates) > limits.MOST_PLATES:
-                raise ValueError(
-                    f"The shell would have {len(plates)} plates, and at most {limits.MOST_PLATES} "
-                    "are written; ask for larger ones"
-                )
-            listed = hull_native.plate_list(
-                plates,
-                thickness=thickness,
-                mirrored=True,
-                progress=lambda share: progress(0.4 + 0.5 * share),
-            )
-            progress(0.9)
-            marks = _frames(hull_native, curves, plates, table, frame_spacing)
-            marks += hull_native.opening_marks(curves, source.appendages)
-            self._finish(hull_native, listed, marks, lambda share: progress(0.9 + 0.1 * share))
-            return PlateReport(
-                hull_native.plate_rows(listed),
-                [one.name for one in listed if not one.flat.converged],
-                sum(one.mass_t * (2.0 if one.is_pair else 1.0) for one in listed),
-                self._key,
-                tuple(
-                    degrees(one.centre_knuckle)
-                    for one in plates
-                    if not one.across and one.centre_knuckle is not None
-                    if one.centre_knuckle < _SLIGHT
-                ),
-            )
-
-        self._job = jobs.Job(work)
+        self._rules, self._layout = rules, self.state.of(KeptPlates).layout
+        self._knuckles, self._across = settings.along_knuckles, settings.across_centre
+        self._thickness = plate_marks.thickness_of(obj, scene, thickness)
+        points = self.state.ship.surface.mesh.points
+        self._marks = plate_marks.marks_of(obj, scene, points, frame_spacing)
+        self._geometry = self.state.ship.geometry_key
+        lines = (None if one.line is None else one.line.tobytes() for one in rules)
+        kinds = ((one.kind, one.value) for one in rules)
+        self._key = self._geometry, *zip(kinds, lines), self._knuckles, self._across
+        self._check()
+        self._job = jobs.Job(self._work)
         conversions.watch(self)
 
-    def _finish(self, hull_native, listed, marks, progress):
-        """What else is done with hull_native.ListedPlates, in the thread."""
+    def _check(self):
+        """ValueError for what need not be begun."""
+
+    def _work(self, progress):
+        if self._layout is None or self._layout.key != self._key:
+            self._layout = self._laid_out(lambda share: progress(0.9 * share))
+        layout = self._layout
+        plates = [one.plate for one in layout.listed]
+        thicknesses, mixed = self._thickness.of(plates, layout.surface)
+        listed = [replace(one, thickness=t) for one, t in zip(layout.listed, thicknesses)]
+        progress(0.9)
+        self._finish(replace(layout, listed=listed), lambda share: progress(0.9 + 0.1 * share))
+        return PlateReport(
+            native.require().plate_rows(listed),
+            [one.name for one in listed if not one.flat.converged],
+            sum(one.mass_t * len(one.pieces) for one in listed),
+            self._geometry,
+            tuple(_slight_knuckles(plates)),
+            mixed,
+        )
+
+    def _laid_out(self, progress):
+        hull_native, surface = native.require(), self._source.new_surface()
+        curves, seams = hull_native.seams_by_rules(surface, self._rules, knuckles=self._knuckles)
+        progress(0.15)
+        plates = hull_native.plates(
+            surface,
+            seams,
+            across_centre=self._across,
+            progress=lambda share: progress(0.15 + 0.25 * share),
+        )
+        if len(plates) > limits.MOST_PLATES:
+            raise ValueError(
+                f"The shell would have {len(plates)} plates, and at most {limits.MOST_PLATES} "
+                "are written; ask for larger ones"
+            )
+        listed = hull_native.plate_list(
+            plates,
+            thickness=self._thickness.of_all,
+            mirrored=True,
+            progress=lambda share: progress(0.4 + 0.6 * share),
+        )
+        return Layout(self._key, surface, curves, seams, listed)
+
+    def _finish(self, layout, progress):
+        """What else is done with a Layout whose plates have their thickness, in the thread."""
 
     def result(self):
-        report = super().result()
-        self.state.of(KeptPlates).report = report
-        return report
+        kept = self.state.of(KeptPlates)
+        try:
+            kept.report = super().result()
+        finally:
+            # What was laid out is so whatever became of the files.
+            kept.layout = self._layout
+        return kept.report
+
+
+def _slight_knuckles(plates):
+    for one in plates:
+        angle = None if one.across else one.centre_knuckle
+        if angle is not None and angle < _SLIGHT:
+            yield degrees(angle)
 
 
 class PlateFile(PlateTask):
-    """They are written, by the name's ending as .pdf (one page a plate), .dxf (all on one drawing
-    at true size) or .csv (the list)."""
+    """They are written: by the name's ending as .csv the list, otherwise drawings of all plates in
+    one file, or `in_sheets` of those that are named (all without a name) at true size, a file each,
+    as write_shop_drawings() does."""
 
-    def __init__(self, obj, scene, path, **sizes):
-        checked_ending(path, (".pdf", ".dxf", ".csv"), "a set of plates")
-        self._path = path
+    def __init__(self, obj, scene, path, *, in_sheets=False, paper="A3", names="", **sizes):
+        self._path, self._in_sheets, self._paper = path, in_sheets, paper
+        self._names = names.split()
+        drawn = (".pdf", ".svg", ".dxf") if in_sheets else (".pdf", ".dxf")
+        self._is_list = checked_ending(path, (*drawn, ".csv"), "a set of plates") == ".csv"
         super().__init__(obj, scene, **sizes)
 
-    def _finish(self, hull_native, listed, marks, progress):
-        if Path(self._path).suffix.lower() == ".csv":
-            text = hull_native.rows_csv(hull_native.plate_rows(listed))
-            write_bytes(Path(self._path), text.encode())
-        else:
+    def _finish(self, layout, progress):
+        hull_native, listed = native.require(), chosen(layout.listed, self._names)
+        if self._is_list:
+            write_rows(self._path, hull_native.plate_rows(listed))
+            return
+        marks = self._marks.of(layout.curves, *layout.ends)
+        marks += hull_native.opening_marks(layout.curves, self._source.appendages)
+        if not self._in_sheets:
             hull_native.write_plates(listed, self._path, marks=marks, progress=progress)
+            return
+        drawings = []
+        for k, one in enumerate(listed):
+            progress(0.5 * k / len(listed))
+            drawings.append(hull_native.plate_drawing(one, marks=marks))
+        hull_native.write_shop_drawings(
+            drawings,
+            self._path,
+            names=list(map(plain_name, listed)),
+            paper=self._paper,
+            progress=lambda share: progress(0.5 + 0.5 * share),
+        )
 
 
-def _frames(hull_native, curves, plates, table, spacing):
-    """("FRAMES", curve) of frames that cross the plates: of a table, or else evenly spaced from
-    x = 0; a spacing of 0 for none."""
-    low = min(float(p.box[0][0]) for p in plates)
-    high = max(float(p.box[1][0]) for p in plates)
-    if table is None:
-        if spacing <= 0.0:
-            return []
-        if high / spacing - low / spacing > limits.MOST_PLATES:
-            raise ValueError("There would be too many frames; space them wider")
-        ranges = [(min(int(low / spacing) - 1, 0), max(int(high / spacing) + 1, 1), spacing)]
-        table = hull_native.frame_table(ranges)
-    return [("FRAMES", curve) for curve in hull_native.frame_marks(curves, table, low, high)]
+def plain_name(listed):
+    """Of a ListedPlate, without a word on sides."""
+    return listed.name.split()[0]
+
+
+def chosen(listed, names):
+    """The ListedPlates of such names, P7 for "P7 P/S"; all without names. ValueError for one that
+    there is not."""
+    if not names:
+        return listed
+    known = {plain_name(one).upper(): one for one in listed}
+    for name in names:
+        if name.upper() not in known:
+            raise ValueError(
+                f"There is no plate {name}: they are {plain_name(listed[0])} to "
+                f"{plain_name(listed[-1])}"
+            )
+    return [known[name] for name in dict.fromkeys(map(str.upper, names))]
+
+
+def write_rows(path, rows):
+    """A list as comma-separated values, all of it or nothing."""
+    write_bytes(Path(path), native.require().rows_csv(rows).encode())
 
 
 def last_plates(obj):

@@ -19,8 +19,7 @@ from ....hull_io.part_files import part_name
 from ...bridge import native
 from ...bridge.background import jobs
 from ...bridge.blender import units
-from ...bridge.mesh import mesh_arrays
-from ...bridge.objects import hull_objects
+from ...bridge.objects import hull_mesh
 from ..conversion import conversions
 from ..flotation import afloat
 from ..hull import hull_state
@@ -141,14 +140,12 @@ class PartsFile(jobs.JobTask):
 
 def _named_slots(obj):
     """(slot of the material of each face of the shell (n,), {part's name: slots of a layer})."""
-    data = mesh_arrays.read_mesh(obj.data)
-    excluded = np.array(sorted(hull_objects.excluded_slots(obj)), dtype=np.int32)
     names = {}
     for layer in obj.hull.layers:
         own = [k for k, slot in enumerate(obj.material_slots) if slot.material == layer.material]
         if own and layer.material is not None and layer.in_hydrostatics:
             names.setdefault(part_name(layer.material.name), []).extend(own)
-    return data.face_slots[~np.isin(data.face_slots, excluded)], names
+    return hull_mesh.shell_slots(obj), names
 
 
 def _named_cells(slots, surface):

@@ -8,8 +8,7 @@ import numpy as np
 
 from ...bridge import limits, native
 from ...bridge.blender.units import as_typed
-from ...bridge.mesh import mesh_arrays
-from ...bridge.objects import hull_objects
+from ...bridge.objects import hull_mesh
 from . import centres
 
 IS_LIVE = False
@@ -61,7 +60,9 @@ def inputs(settings, metres_per_unit):
     limits.at_most(len(own.items), "weights", limits.MOST_LOADING_ENTRIES)
     items = tuple(centres.named_mass(one, metres_per_unit) for one in own.items)
     plates = tuple(_plates(settings, metres_per_unit))
-    slots = _slots(settings.id_data) if any(plate.slots for plate in plates) else b""
+    slots = b""
+    if any(plate.slots for plate in plates):
+        slots = hull_mesh.shell_slots(settings.id_data).tobytes()
     return Inputs(plates, items, slots)
 
 
@@ -93,12 +94,6 @@ def _plate(name, thickness, density, slots, metres_per_unit):
     )
     density = limits.within(as_typed(density), f"{name}: density in t/m³", 0.0, limits.DENSEST)
     return Plate(name, thickness, density, slots)
-
-
-def _slots(obj):
-    data = mesh_arrays.read_mesh(obj.data)
-    excluded = np.array(sorted(hull_objects.excluded_slots(obj)), dtype=np.int32)
-    return data.face_slots[~np.isin(data.face_slots, excluded)].astype(np.int32).tobytes()
 
 
 def compute(ship, given):
