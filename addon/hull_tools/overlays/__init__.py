@@ -14,12 +14,16 @@ from . import (
     networks,
     plots,
     pulls,
+    seams,
     spots,
     status,
     tags,
 )
 
-_PARTS = (net, ghost, lines, networks, marks, tags, legend, spots, pulls, fields, morph_pairs)
+_PARTS = (
+    *(net, ghost, lines, seams, networks, marks, tags),
+    *(legend, spots, pulls, fields, morph_pairs),
+)
 
 
 def register():

@@ -37,6 +37,7 @@ _LINES = {
 }
 # Of the hull that a hull is compared with: all of its lines.
 _GHOST = {"ghost": Ink("Ghost", (1.00, 0.10, 1.00))}
+_PLATES = {"seam": Ink("Seams, butts", (0.55, 0.00, 0.42), (1.00, 0.62, 0.90))}
 # In object mode, where it is not selected: it recedes behind what is of the surface.
 _NET = {"net": Ink("Control net", (0.58, 0.50, 0.68), (0.66, 0.62, 0.72))}
 # Combs stand out from the hull: these can be told from light and dark alike.
@@ -73,6 +74,7 @@ _TAGS = {
 GROUPS = {
     "lines": ("Lines", _LINES),
     "ghost": ("Other hull", _GHOST),
+    "plates": ("Plates", _PLATES),
     "net": ("Control net", _NET),
     "combs": ("Combs", _COMBS),
     "marks": ("Marks of combs", _MARKS),
