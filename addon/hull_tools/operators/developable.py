@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Developable regions in edit mode: made of a row of faces, and released."""
+"""Developable surfaces in edit mode: regions made of a row of faces and released, strips, cones and
+cylinders from chains of edges."""
 
 import bpy
-from bpy.props import BoolProperty, FloatProperty
+from bpy.props import BoolProperty, EnumProperty, FloatProperty, FloatVectorProperty, IntProperty
 
 from ..bridge.counts import counted
 from ..features.hull import hull_state
-from ..features.modelling import developable_making
+from ..features.modelling import developable_making, developable_shells
 from .shared import EditModeOperator
 
 
@@ -68,4 +69,50 @@ class HULL_OT_release_developable(bpy.types.Operator, EditModeOperator):
         self.report({"INFO"}, f"No longer a developable region: {counted(count, 'face')}")
 
 
-CLASSES = (HULL_OT_make_developable, HULL_OT_release_developable)
+class HULL_OT_developable_strip(bpy.types.Operator, EditModeOperator):
+    """Make a mesh object with the rulings of the developable surface between two chains of selected
+    edges, or of the cone or cylinder from one chain; leaves edit mode"""
+
+    bl_idname = "hull.developable_strip"
+    bl_label = "Developable Strip"
+
+    form: EnumProperty(
+        name="Form",
+        description="What is made of the selected edges",
+        items=(
+            ("STRIP", "Between two chains", "The developable surface between two chains of edges"),
+            ("CONE", "Cone to cursor", "From a chain of edges to the 3D cursor"),
+            ("CYLINDER", "Cylinder", "From a chain of edges along a direction"),
+        ),
+    )
+    shift: FloatVectorProperty(
+        name="Shift",
+        description="From the chain to the cylinder's other end, along the hull's axes",
+        default=(0.0, 0.0, 1.0),
+        subtype="XYZ_LENGTH",
+        unit="LENGTH",
+    )
+    count: IntProperty(
+        name="Rulings", description="About how many are made", default=60, min=4, max=2000
+    )
+
+    def draw(self, context):
+        layout = self.layout
+        layout.use_property_split = True
+        for name in ("form", "shift", "count") if self.form == "CYLINDER" else ("form", "count"):
+            layout.prop(self, name)
+
+    def run_on(self, hull, context):
+        _, text = developable_shells.make_shell(
+            hull, context.scene, self.form, self.shift, self.count
+        )
+        # Blender's undo in edit mode knows nothing of objects.
+        bpy.ops.object.mode_set(mode="OBJECT")
+        self.report({"INFO"}, text)
+
+
+CLASSES = (
+    HULL_OT_make_developable,
+    HULL_OT_release_developable,
+    HULL_OT_developable_strip,
+)

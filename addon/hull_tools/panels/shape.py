@@ -54,7 +54,9 @@ class HULL_PT_shape(HullPanel, bpy.types.Panel):
 
     def _draw_developables(self, context):
         layout = self.layout
-        layout.operator("hull.make_developable", icon="MOD_SIMPLEDEFORM")
+        column = layout.column(align=True)
+        column.operator("hull.make_developable", icon="MOD_SIMPLEDEFORM")
+        column.operator("hull.developable_strip", icon="MESH_PLANE")
         hull = hull_objects.hull_of(context.object)
         found = developable_making.warps(hull, hull_state.state_of(hull))
         if not found:
