@@ -3,6 +3,8 @@
 planes, cells of plates."""
 
 import os
+import resource
+import signal
 
 import hull_native as hn
 import numpy as np
@@ -69,6 +71,22 @@ def test_all_files_or_none(tmp_path):
         hn.write_shop_drawings(drawings, tmp_path / "shell.pdf", names=["a", "b"], progress=stop)
     assert os.listdir(tmp_path) == ["shell-a.pdf"]
     assert (tmp_path / "shell-a.pdf").read_text() == "as it was"
+
+
+def test_a_full_disk_leaves_all_as_it_was(tmp_path):
+    """No more than 2,000 bytes can be written."""
+    (tmp_path / "shell-a.dxf").write_text("as it was")
+    limit = resource.getrlimit(resource.RLIMIT_FSIZE)
+    before = signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (2000, limit[1]))
+    try:
+        with pytest.raises(OSError, match=str(tmp_path / "shell-a.dxf")):
+            hn.write_shop_drawings([square(500.0)] * 2, tmp_path / "shell.dxf", names=["a", "b"])
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, limit)
+        signal.signal(signal.SIGXFSZ, before)
+    assert os.listdir(tmp_path) == ["shell-a.dxf"]
+    assert (tmp_path / "shell-a.dxf").read_text() == "as it was"
 
 
 def test_what_can_t_be_written_is_one_sentence(tmp_path):

@@ -55,10 +55,13 @@ def _write_apart(drawings, path, words, paper, tell):
     targets = [path.with_name(f"{path.stem}-{word}{path.suffix}") for word in words]
     with FolderBeside(targets) as folder:
         made = []
-        for k, (drawing, word) in enumerate(zip(drawings, words)):
+        for k, (drawing, target) in enumerate(zip(drawings, targets)):
             tell(k / len(drawings))
-            made.append(folder / f"{word}{path.suffix}")
-            drawing.write(made[-1], paper=paper)
+            made.append(folder / target.name)
+            try:
+                drawing.write(made[-1], paper=paper)
+            except OSError as error:  # told of the file that was asked for
+                raise OSError(str(error).replace(str(made[-1]), str(target))) from error
         folder.hand_over(made)
     return targets
 
