@@ -253,7 +253,7 @@ def _with_keel(hull):
         bpy.ops.hull.add_appendage(kind="BULB_KEEL")
 
 
-def _with_plates(hull):
+def with_plates(hull):
     """Broad strakes and a keel strake, laid out; frames in two ranges."""
     settings = hull.hull.plates
     with bpy.context.temp_override(object=hull, active_object=hull):
@@ -309,7 +309,7 @@ PANELS = {
     "panels/fair": PanelShot(
         hull_panels("fair", "fair_rows"), _with_dent_faired, in_edit_mode=True
     ),
-    "panels/plates": PanelShot(hull_panels("plates", "frames"), _with_plates),
+    "panels/plates": PanelShot(hull_panels("plates", "plate_drawings", "frames"), with_plates),
     "panels/sections": PanelShot(hull_panels("sections", "planes")),
     "panels/fairness": PanelShot(
         hull_panels("fairness", "combs", "marks", "knuckles", "reflections"), _with_combs

@@ -10,6 +10,7 @@ import export_scenes
 import field_scenes
 import network_scenes
 import numpy as np
+import plate_scenes
 import tie_scenes
 from addon_under_test import part
 from close_views import coaster_close_by, coaster_in_window
@@ -408,6 +409,8 @@ VIEWS = {
     "morphing/vessels": View(_members("research_vessel", "naval_vessel", distance=0.9), ()),
     "morphing/pairs": View(_pairs, hull_panels("morph", "morph_pairs")),
     "transformation/area-curve": View(_area_curve, hull_panels("transform", "area_curve")),
+    "rulings": View(plate_scenes.rulings, hull_panels("shape")),
+    "seams": View(plate_scenes.seams, hull_panels("plates")),
     "tied-points": View(tie_scenes.tied_points, hull_panels("hull", "tags", "point_groups")),
     "variants/ghost": View(_ghost, hull_panels("variants", "comparison")),
     "variants/distances": View(_distances, hull_panels("variants", "differences", "distances")),

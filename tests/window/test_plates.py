@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The shell laid out in plates while Blender stays at work; Esc ends it."""
+"""The shell laid out in plates while Blender stays at work; Esc ends it; seams over the view."""
 
 import bpy
 from addon_under_test import part
+from test_tag_overlay import seen
 
 
 def coaster(window):
@@ -47,3 +48,29 @@ def test_escape_ends_it(window):
     window.press("ESC")
     yield lambda: not is_running(hull)
     assert last(hull) is None
+
+
+def test_seams_are_seen_and_go_with_their_switch(window):
+    with window.in_view():
+        bpy.ops.hull.load_sample(name="barge")
+    hull = bpy.context.view_layer.objects.active
+    lines = part("features.lines.lines")
+    for switch in lines.SWITCHES.values():
+        setattr(hull.hull.lines, switch, False)
+    hull.hull.lines.width = 6.0
+    window.look(hull, (70.0, 0.0, 150.0))
+    for kind, value in (("strakes", 4.0), ("butts", 30.0)):
+        rule = hull.hull.plates.rules.add()
+        rule.kind, rule.value = kind, value
+    yield
+    inks = [("seam", "plates", is_on_light) for is_on_light in (True, False)]
+    before = [seen(window, *ink) for ink in inks]
+    with window.in_view():
+        assert bpy.ops.hull.lay_out_plates() == {"FINISHED"}
+    window.area.tag_redraw()
+    yield
+    assert max(seen(window, *ink) - was for ink, was in zip(inks, before)) > 200
+    hull.hull.plates.show_seams = False
+    window.area.tag_redraw()
+    yield
+    assert max(seen(window, *ink) - was for ink, was in zip(inks, before)) < 20

@@ -16,8 +16,8 @@ _NEAR = 12
 _FEW = 20  # pixels that may have it by chance
 
 
-def seen(window, name):
-    """How many pixels of the 3D view have the colour of a tag."""
+def seen(window, name, group="tags", is_on_light=True):
+    """How many pixels of the 3D view have the colour of a tag, or of another group's kind."""
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "window.png"
         window.screenshot(path)
@@ -27,7 +27,7 @@ def seen(window, name):
         bpy.data.images.remove(image)
     region = window.region()
     view = pixels[region.y : region.y + region.height, region.x : region.x + region.width]
-    colour = np.array(part("bridge.blender.preferences").colour("tags", name))
+    colour = np.array(part("bridge.blender.preferences").colour(group, name, is_on_light))
     return int((np.abs(view - colour).max(axis=2) <= _NEAR / 255.0).sum())
 
 

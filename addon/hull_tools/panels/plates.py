@@ -105,9 +105,9 @@ class HULL_PT_frames(HullPanel, bpy.types.Panel):
         text_field(self.layout, settings, "numbered_from")
         self.layout.prop(settings, "in_roman")
         if settings.ranges and conversions.running(hull) is None:
-            row = self.layout.row(align=True)
-            row.operator("hull.export_frames", icon="EXPORT")
-            row.operator("hull.export_frame_table", icon="EXPORT")
+            column = self.layout.column(align=True)
+            column.operator("hull.export_frames", icon="EXPORT")
+            column.operator("hull.export_frame_table", icon="EXPORT")
 
 
 def _draw_removal(row, action, index):

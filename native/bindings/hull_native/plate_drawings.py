@@ -13,6 +13,8 @@ from .shop_files import shop_ending, write_shop_drawings
 _STRETCH_LINES = 6
 # Of DXF files: breadths by which words grow, m, and how far.
 _WORDS_OF_BREADTH, _LARGEST_WORDS = 0.25, 10.0
+# mm on paper, by the breadth in m: names on plates of the mill.
+_NAME = 10.0
 
 
 def length_of(line):
@@ -202,7 +204,9 @@ def nesting_drawing(stock, name):
         for line in one.outline:
             drawing.add_line("OUTLINE", 1000.0 * (line + shift))
         middle = 0.5 * one.flat.points.max(axis=0) + shift
-        drawing.add_text(one.name, 1000.0 * middle, size=20.0)
+        # Small pieces lie close together.
+        size = min(max(_NAME * min(one.extents), 3.0), 20.0)
+        drawing.add_text(one.name, 1000.0 * middle, size=size)
     return drawing
 
 
