@@ -34,14 +34,14 @@ def rulings(window):
     yield
     hull = load(window, "planing_boat")
     window.space.show_region_toolbar = False
-    window.open_sidebar()
     yield
-    _without_lines(window, hull, (112.0, 0.0, 140.0), 1.9)
+    _without_lines(window, hull, (112.0, 0.0, 140.0), 1.5)
     with window.in_view():
         bpy.ops.object.mode_set(mode="EDIT")
         _select_bottom(hull)
         bpy.ops.hull.make_developable(warp=1.5, distance=0.1)
         bpy.ops.mesh.select_all(action="DESELECT")
+    window.space.show_region_ui = False
     yield
 
 

@@ -258,7 +258,7 @@ def with_plates(hull):
     settings = hull.hull.plates
     with bpy.context.temp_override(object=hull, active_object=hull):
         bpy.ops.hull.suggest_seams()
-        settings.rules[0].value, settings.rules[1].value = 3.0, 20.0
+        settings.rules[0].value, settings.rules[1].value = 4.0, 30.0
         bpy.ops.hull.change_plate_list(action="ADD_RULE")
         settings.rules[2].kind, settings.rules[2].value = "from_centre", 1.2
         for last, spacing in ((10, 0.55), (140, 0.65)):

@@ -75,9 +75,10 @@ class HULL_PT_plate_drawings(HullPanel, bpy.types.Panel):
 
     def draw(self, context):
         hull = hull_objects.hull_of(context.object)
-        row = self.layout.row(heading="Mark")
-        row.prop(hull.hull.plates, "mark_waterlines")
-        row.prop(hull.hull.plates, "mark_buttocks")
+        column = self.layout.column(align=True)
+        column.label(text="Marked besides frames")
+        column.prop(hull.hull.plates, "mark_waterlines")
+        column.prop(hull.hull.plates, "mark_buttocks")
         if conversions.running(hull) is None:
             column = self.layout.column(align=True)
             for name in ("templates", "stretch", "nesting"):
