@@ -119,7 +119,7 @@ def test_a_strip_between_two_knuckles_of_a_boat():
      ((BOTTOM, DECK, ((0, 2, 0), (0, 2, 3)), ((10, 2, 0), (10, 2, 3))), {}, "go round in a ring"),
      ((BOTTOM, ((10, 0, 0), (10, 2, 0)), ((10, 2, 0), (10, 2, 3))), {}, "branch"),
      ((DECK, ((0, 0, 0), (0, 2, 0))), {}, "no developable surface joins them"),
-     ((DECK,), {"form": "CYLINDER", "shift": (1.0, 0.0, 0.0)}, "chain runs along the direction"),
+     ((DECK,), {"form": "CYLINDER", "shift": (1.0, 0.0, 0.0)}, "runs along the straight line"),
      ((DECK,), {"form": "CYLINDER", "shift": (0.0, 0.0, 0.0)}, "a length above 0 m")],
 )  # fmt: skip
 def test_what_makes_no_surface_is_one_sentence(lines, options, told):
@@ -133,6 +133,6 @@ def test_what_makes_no_surface_is_one_sentence(lines, options, told):
 def test_a_cone_whose_apex_is_on_the_chain_is_refused():
     hull = box(DECK)
     bpy.context.scene.cursor.location = (4.0, 2.0, 3.0)
-    with pytest.raises(RuntimeError, match="apex lies on the chain"):
+    with pytest.raises(RuntimeError, match="runs along the straight line"):
         bpy.ops.hull.developable_strip(form="CONE")
     assert hull.mode == "EDIT"

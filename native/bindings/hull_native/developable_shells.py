@@ -3,7 +3,6 @@
 between two, cones to a point, cylinders along a direction. Lengths are in metres."""
 
 from dataclasses import dataclass
-from math import isfinite
 
 import numpy as np
 
@@ -15,8 +14,6 @@ _TO_BEZIER = np.linalg.inv(
     np.stack([(1 - _THIRDS) ** 3, 3 * _THIRDS * (1 - _THIRDS) ** 2,
               3 * _THIRDS**2 * (1 - _THIRDS), _THIRDS**3], axis=1)
 )  # fmt: skip
-# Sine of the least angle between a curve and a ruling, and of the size, the shortest ruling.
-_LEAST_ANGLE, _SHORTEST = 1e-3, 1e-6
 
 
 @dataclass(frozen=True)
@@ -84,47 +81,16 @@ def strip_between(a, b, count=60):
 
 
 def cone_to(curve, apex, count=60):
-    """The RuledShell of the cone from a curve of Bézier points to an apex (3,), m. ValueError where
-    the apex is on the curve, or a ruling runs along it."""
-    points, ways = _sampled(curve, count)
-    apex = np.asarray(apex, dtype=float)
-    _check_rulings(points, ways, apex - points, "The apex lies on the chain, or along it")
-    return RuledShell(points, np.broadcast_to(apex, points.shape).copy())
+    """The RuledShell of the cone from a curve of Bézier points to an apex (3,), m. ValueError as
+    DevelopableStrip.cone()."""
+    return RuledShell(*map(np.asarray, DevelopableStrip.cone(curve, apex, count=count).ends))
 
 
 def cylinder_along(curve, shift, count=60):
     """The RuledShell of the cylinder from a curve of Bézier points along a shift (3,), m, which its
-    rulings are as long as. ValueError for no shift and where the curve runs along it."""
-    points, ways = _sampled(curve, count)
-    shift = np.asarray(shift, dtype=float)
-    if not all(map(isfinite, shift)) or not np.linalg.norm(shift) > 0.0:
+    rulings are as long as. ValueError as DevelopableStrip.cylinder()."""
+    length = float(np.linalg.norm(shift))
+    if not length > 0.0:
         raise ValueError("A cylinder needs a direction and a length above 0 m.")
-    rulings = np.broadcast_to(shift, points.shape)
-    _check_rulings(points, ways, rulings, "The chain runs along the direction")
-    return RuledShell(points, points + shift)
-
-
-def _sampled(curve, count):
-    """(points (n, 3), derivatives (n, 3)) of Bézier points, evenly in the spans' parameters."""
-    spans = np.asarray(curve, dtype=float).reshape(-1, 4, 3)
-    at = np.linspace(0.0, len(spans), count + 1)
-    which = np.minimum(at.astype(int), len(spans) - 1)
-    t = (at - which)[:, None]
-    p = spans[which].transpose(1, 0, 2)
-    points = (1 - t) ** 3 * p[0] + 3 * t * (1 - t) ** 2 * p[1]
-    points += 3 * t**2 * (1 - t) * p[2] + t**3 * p[3]
-    ways = (1 - t) ** 2 * (p[1] - p[0]) + 2 * t * (1 - t) * (p[2] - p[1]) + t**2 * (p[3] - p[2])
-    return points, 3.0 * ways
-
-
-def _check_rulings(points, ways, rulings, what):
-    lengths = np.linalg.norm(rulings, axis=1)
-    sines = np.linalg.norm(np.cross(ways, rulings), axis=1)
-    sines /= np.maximum(np.linalg.norm(ways, axis=1) * lengths, 1e-300)
-    short = lengths <= _SHORTEST * np.linalg.norm(np.ptp(points, axis=0))
-    bad = np.flatnonzero(short | (sines < _LEAST_ANGLE))
-    if len(bad):
-        x, y, z = points[bad[0]]
-        raise ValueError(
-            f"{what} at ({x:.3f}, {y:.3f}, {z:.3f}) m: there is no surface there; choose another."
-        )
+    made = DevelopableStrip.cylinder(curve, direction=shift, length=length, count=count)
+    return RuledShell(*map(np.asarray, made.ends))
