@@ -51,17 +51,12 @@ def test_escape_ends_it(window):
 
 
 def test_seams_are_seen_and_go_with_their_switch(window):
-    with window.in_view():
-        bpy.ops.hull.load_sample(name="barge")
-    hull = bpy.context.view_layer.objects.active
+    hull = coaster(window)
     lines = part("features.lines.lines")
     for switch in lines.SWITCHES.values():
         setattr(hull.hull.lines, switch, False)
     hull.hull.lines.width = 6.0
     window.look(hull, (70.0, 0.0, 150.0))
-    for kind, value in (("strakes", 4.0), ("butts", 30.0)):
-        rule = hull.hull.plates.rules.add()
-        rule.kind, rule.value = kind, value
     yield
     inks = [("seam", "plates", is_on_light) for is_on_light in (True, False)]
     before = [seen(window, *ink) for ink in inks]
