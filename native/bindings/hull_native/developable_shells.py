@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Developable surfaces by their rulings from curves along edges of a control mesh: the strip
-between two, cones to a point, cylinders along a direction. Lengths are in metres."""
+between two, cones to a point, cylinders along a direction. Lengths are in metres; there are about
+`count` rulings, as many in each span."""
 
 from dataclasses import dataclass
 
