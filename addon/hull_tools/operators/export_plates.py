@@ -2,45 +2,28 @@
 """What the yard gets: plates, their nesting, templates and maps of stretch; frames."""
 
 import bpy
-from bpy.props import BoolProperty, EnumProperty, FloatProperty, StringProperty
+from bpy.props import BoolProperty, FloatProperty, StringProperty
 
 from ..bridge.counts import counted
 from ..bridge.objects import hull_objects
 from ..features.exchange import frame_files, plate_drawings, plate_files
-from ..properties import output_settings, plate_settings
+from ..properties import plate_settings
 from .export_hull import formats
-from .export_numbers import ExportWithNumbers
-
-_PAGES = ".pdf", "PDF", "A page each, reduced to fit A3; at true size: in sheets"
-_SHEET = ".svg", "SVG", "At true size, a file each"
-_ALL = ".dxf", "DXF", "At true size, in mm"
-
-
-def _in_sheets():
-    return BoolProperty(
-        name="1:1, a file each",
-        description="At true size, a file for each drawing, PDF over as many sheets of paper as "
-        "that takes; otherwise all are in one file",
-    )
-
-
-def _paper():
-    return EnumProperty(
-        name="Paper",
-        description="Of the sheets at true size",
-        items=output_settings.PAPERS,
-        default="A1",
-    )
+from .export_numbers import (
+    ALL,
+    PAGES,
+    SHEET,
+    ExportWithNumbers,
+    filter_choice,
+    in_sheets_choice,
+    paper_choice,
+)
 
 
 def _names():
     return StringProperty(
         name="Plates", description="Names as in the list, P7 P8, blanks between; empty: all"
     )
-
-
-def _filter(*endings):
-    return StringProperty(default=";".join(f"*{ending}" for ending in endings), options={"HIDDEN"})
 
 
 def _has_rules(context):
@@ -109,10 +92,10 @@ class HULL_OT_export_plates(bpy.types.Operator, ExportPlates):
 
     NAMES = ("in_sheets", "paper", "plates")
     filename_ext = ".pdf"
-    filter_glob: _filter(".pdf", ".svg", ".dxf", ".csv")
-    format: formats(_PAGES, _SHEET, _ALL, (".csv", "CSV", "The list: sizes, weights, stretch"))
-    in_sheets: _in_sheets()
-    paper: _paper()
+    filter_glob: filter_choice(".pdf", ".svg", ".dxf", ".csv")
+    format: formats(PAGES, SHEET, ALL, (".csv", "CSV", "The list: sizes, weights, stretch"))
+    in_sheets: in_sheets_choice()
+    paper: paper_choice()
     plates: _names()
 
     def begin(self, hull, scene):
@@ -136,10 +119,10 @@ class HULL_OT_export_templates(bpy.types.Operator, ExportPlates):
 
     NAMES = ("in_sheets", "paper", "plates", "height")
     filename_ext = ".pdf"
-    filter_glob: _filter(".pdf", ".svg", ".dxf")
-    format: formats(_PAGES, _SHEET, _ALL)
-    in_sheets: _in_sheets()
-    paper: _paper()
+    filter_glob: filter_choice(".pdf", ".svg", ".dxf")
+    format: formats(PAGES, SHEET, ALL)
+    in_sheets: in_sheets_choice()
+    paper: paper_choice()
     plates: _names()
     height: FloatProperty(
         name="Height mm",
@@ -175,8 +158,8 @@ class HULL_OT_export_stretch(bpy.types.Operator, ExportPlates):
 
     NAMES = ("plates",)
     filename_ext = ".pdf"
-    filter_glob: _filter(".pdf", ".dxf")
-    format: formats((".pdf", "PDF", "A page each, reduced to fit A3"), _ALL)
+    filter_glob: filter_choice(".pdf", ".dxf")
+    format: formats((".pdf", "PDF", "A page each, reduced to fit A3"), ALL)
     plates: _names()
 
     def name_part(self):
@@ -197,10 +180,10 @@ class HULL_OT_export_nesting(bpy.types.Operator, ExportPlates):
 
     NAMES = ("stock_length", "stock_breadth", "margin")
     filename_ext = ".pdf"
-    filter_glob: _filter(".pdf", ".dxf", ".csv")
+    filter_glob: filter_choice(".pdf", ".dxf", ".csv")
     format: formats(
         (".pdf", "PDF", "A page for each plate of the mill"),
-        _ALL,
+        ALL,
         (".csv", "CSV", "The list: which plate lies where"),
     )
     stock_length: FloatProperty(
@@ -247,10 +230,10 @@ class HULL_OT_export_frames(bpy.types.Operator, ExportWithNumbers):
 
     NAMES = ("in_sheets", "paper", "frames", "inside")
     filename_ext = ".pdf"
-    filter_glob: _filter(".pdf", ".svg", ".dxf")
-    format: formats(_PAGES, _SHEET, _ALL)
-    in_sheets: _in_sheets()
-    paper: _paper()
+    filter_glob: filter_choice(".pdf", ".svg", ".dxf")
+    format: formats(PAGES, SHEET, ALL)
+    in_sheets: in_sheets_choice()
+    paper: paper_choice()
     frames: StringProperty(
         name="Frames",
         description="Numbers with blanks between, or first:last:step; empty: all on the hull",
@@ -289,7 +272,7 @@ class HULL_OT_export_frame_table(bpy.types.Operator, ExportWithNumbers):
 
     NAMES = ()
     filename_ext = ".csv"
-    filter_glob: _filter(".csv")
+    filter_glob: filter_choice(".csv")
     format: formats((".csv", "CSV", "A table, which a spreadsheet opens"))
 
     def name_part(self):
