@@ -7,7 +7,7 @@
 namespace hull::analysis {
 namespace {
 
-constexpr int kParts = 16;             // of each side of a patch
+constexpr int kSideParts = 16;         // of each side of a patch
 constexpr double kAcrossShip = 0.999;  // cosine of the angle to the ship's transverse axis
 
 Vector2d seen(const Vector3d& p) { return {p.x(), p.z()}; }
@@ -36,9 +36,10 @@ std::vector<Vector2d> convex_hull(std::vector<Vector2d> points) {
 std::vector<Vector2d> sampled(const ClosedShell& shell) {
   std::vector<Vector2d> points;
   for (const surface::BezierPatch& patch : shell.patches()) {
-    for (int i = 0; i <= kParts; ++i) {
-      for (int j = 0; j <= kParts; ++j) {
-        const double u = static_cast<double>(i) / kParts, v = static_cast<double>(j) / kParts;
+    for (int i = 0; i <= kSideParts; ++i) {
+      for (int j = 0; j <= kSideParts; ++j) {
+        const double u = static_cast<double>(i) / kSideParts,
+                     v = static_cast<double>(j) / kSideParts;
         points.push_back(seen(evaluate(patch, u, v).point));
       }
     }
@@ -53,8 +54,8 @@ std::vector<Vector2d> meridian(const BulbShape& bulb) {
   const Vector2d across = Vector2d(-along.y(), along.x()).normalized();
   std::vector<Vector2d> points, others;
   for (const auto& part : outline_of(SectionForm(bulb.section), bulb.diameter / length, true)) {
-    for (int i = 0; i <= kParts; ++i) {
-      const double t = static_cast<double>(i) / kParts, s = 1.0 - t;
+    for (int i = 0; i <= kSideParts; ++i) {
+      const double t = static_cast<double>(i) / kSideParts, s = 1.0 - t;
       const Vector2d p =
           s * s * s * part[0] + 3.0 * s * t * (s * part[1] + t * part[2]) + t * t * t * part[3];
       const Vector2d on_axis = nose + length * p.x() * along;
