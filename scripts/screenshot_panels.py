@@ -182,11 +182,16 @@ def _fuller_shoulder(hull):
 
 
 def _with_dent_faired(hull):
-    """A dent of one point in the fore body, faired out."""
+    """A dent of one point in the fore body, faired out, and two control curves through it."""
     mesh_points, fairing = part("bridge.mesh.mesh_points"), part("features.fairing.region_fairing")
-    bpy.ops.object.mode_set(mode="EDIT")
     points = mesh_points.read(hull.data)
     point = np.abs(points - (67.9, 6.1, 4.9)).sum(axis=1).argmin(keepdims=True)
+    ends = [tuple(edge.vertices) for edge in hull.data.edges if point[0] in edge.vertices]
+    ends.sort(key=lambda edge: np.ptp(points[list(edge), 0]))
+    bpy.ops.object.mode_set(mode="EDIT")
+    for name, edge in (("Side", ends[-1]), ("Shoulder", ends[0])):
+        part("bridge.mesh.selection").select(bpy.context, hull, "edge", [edge])
+        part("features.fairing.control_curves").add(hull, bpy.context.scene, name)
     mesh_points.write(hull.data, point, points[point] - (0.0, 0.052, 0.0))
     part("features.hull.hull_state").follow_edit(hull, bpy.context.scene)
     part("bridge.mesh.selection").select(bpy.context, hull, "vertex", point.tolist())
@@ -307,7 +312,7 @@ PANELS = {
         hull_panels("transform", "area_curve"), _with_kept_bow, analyses=("sectional_areas",)
     ),
     "panels/fair": PanelShot(
-        hull_panels("fair", "fair_rows"), _with_dent_faired, in_edit_mode=True
+        hull_panels("fair", "fair_rows", "control_curves"), _with_dent_faired, in_edit_mode=True
     ),
     "panels/plates": PanelShot(hull_panels("plates", "plate_drawings", "frames"), with_plates),
     "panels/sections": PanelShot(hull_panels("sections", "planes")),
