@@ -40,7 +40,7 @@ def test_tunnel_through_box(tmp_path):
     assert "tunnel" in [region["name"] for region in report["regions"]]
 
 
-@pytest.mark.parametrize("section", ["0012", "63-012", "23012"])
+@pytest.mark.parametrize("section", ["0012", "63-012", "23012", "63-412", "64A210", "0012-64"])
 def test_keel_below_box(tmp_path, section):
     keel = hn.foil(**{**KEEL, "section": section}, tip_chord=1.2, name="keel")
     report = box_solid(tmp_path / "keel.step", [keel])
