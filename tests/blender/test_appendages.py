@@ -93,6 +93,18 @@ def test_bad_sections_are_told_of(box):
     assert volume(box) > 100.01 and not_joined(box) == ""
 
 
+@pytest.mark.parametrize("section", ["63-412 a=0.8", "64A212", "0012-64", "23112", "65(2)-215"])
+def test_sections_of_all_families_count(box, section):
+    """A keel of each is joined, and adds something else than another section does."""
+    whole = volume(box)
+    keel = add(box, "FIN_KEEL", section=section)
+    more = volume(box) - whole
+    assert not not_joined(box) and more > 0.0
+    keel.hull.appendage.section = "0012"
+    other = volume(box) - whole
+    assert other == pytest.approx(more, rel=0.5) and other != pytest.approx(more, rel=1e-4)
+
+
 def test_surfaces_in_one_another_are_told_of(box):
     """A keel whose root is in the plane of the bottom; raised into the hull it counts."""
     keel = add(box, "FIN_KEEL")
