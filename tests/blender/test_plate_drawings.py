@@ -105,8 +105,8 @@ def test_templates_at_frames(tmp_path):
 
 @pytest.mark.parametrize(
     "name, ending, options, told",
-    [("plates", "svg", {}, r"\.svg takes a drawing"),
-     ("plates", "png", {"in_sheets": True}, r"must end in \.pdf, \.svg or \.dxf"),
+    [("plates", "svg", {}, r"ends in \.pdf, \.dxf or \.csv"),
+     ("plates", "png", {"in_sheets": True}, r"ends in \.pdf, \.svg, \.dxf or \.csv"),
      ("plates", "csv", {"plates": "P1 P99"}, "no plate P99: they are P1 to P"),
      ("templates", "csv", {}, r"must end in \.pdf or \.dxf"),
      ("stretch", "svg", {}, r"must end in \.pdf or \.dxf"),
