@@ -131,6 +131,20 @@ def test_hull_files_bring_them_back():
     assert curves.take_curves(hull, faces[:0])[0].edges == []
 
 
+def test_variants_in_hull_files_have_the_rows_that_were_shown(tmp_path):
+    hull = with_two()
+    bpy.ops.object.mode_set(mode="OBJECT")
+    assert bpy.ops.hull.keep_variant(name="as it was") == {"FINISHED"}
+    path = str(tmp_path / "with.hull.json")
+    assert bpy.ops.hull.export_hull(filepath=path) == {"FINISHED"}
+    assert bpy.ops.hull.import_hull(filepath=path) == {"FINISHED"}
+    read = bpy.context.object
+    assert read is not hull and read.hull.fairness.comb_rows
+    marked = part("bridge.mesh.row_marks").marked
+    wanted = keys(marked(hull.data))
+    assert keys(marked(read.data)) == keys(marked(read.hull.variants.kept[0].mesh)) == wanted
+
+
 def test_what_is_no_chain_is_refused():
     hull = grid_hull(COLUMNS, ROWS)
     edit(hull, (False, True, False))

@@ -52,6 +52,7 @@ def hull_object(hull, scene, collection):
     obj = bpy.data.objects.new(hull.name, bpy.data.meshes.new(hull.name))
     collection.objects.link(obj)
     give_ship(obj, hull, scale)
+    obj.hull.fairness.comb_rows |= bool(hull.shown_rows)
     wanted_data.give_wanted(obj.hull, hull, scale)
     field_data.give_fields(obj, hull, scale)
     plating_data.give_plating(obj, hull.plating, scale)
@@ -74,7 +75,6 @@ def give_ship(obj, hull, scale, known=()):
     mesh_arrays.write_tags(mesh, hull.creases, hull.corners, hull.deck_edge)
     if hull.shown_rows:
         row_marks.store(mesh, hull.shown_rows)
-        obj.hull.fairness.comb_rows = True
     obj.hull.half = hull.half
     _add_layers(obj, hull, known, scale)
     _copy_particulars(obj.hull, hull, scale)
