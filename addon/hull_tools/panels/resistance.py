@@ -3,7 +3,7 @@
 
 import bpy
 
-from ...hull_io.ship_data import DELFT_UNITS, HOLTROP_UNITS
+from ...hull_io import ship_data
 from ..bridge.blender.units import in_unit
 from ..bridge.objects import hull_objects
 from ..features.analyses import live_analyses
@@ -13,18 +13,21 @@ from .shared import HullPanel, export_buttons, field_or, label_wrapped, latest_r
 
 _ROWS = 12  # of the table; the file has all
 
-# Settings that stand for what the hull has, the names hull_native has for them, and their units.
-_INPUTS = {
-    "HOLTROP": [(f"holtrop.{name}", name, unit) for name, unit in HOLTROP_UNITS.items()],
-    "DELFT": [(f"delft.{name}", name, unit) for name, unit in DELFT_UNITS.items()],
-    "SAVITSKY": [
-        ("planing_mass_t", "mass_t", "t"),
-        ("planing_lcg", "lcg", "m"),
-        ("chine_beam", "beam", "m"),
-        ("deadrise", "deadrise_deg", "°"),
-    ],
-    "MICHELL": [],
-}
+_PLANING = (
+    ("planing_mass_t", "mass_t", "t"),
+    ("planing_lcg", "lcg", "m"),
+    ("chine_beam", "beam", "m"),
+    ("deadrise", "deadrise_deg", "°"),
+)
+
+
+def _inputs(method):
+    """Settings that stand for what the hull has, the names hull_native has for them, and their
+    units."""
+    if method == "SAVITSKY":
+        return _PLANING
+    units = {"HOLTROP": ship_data.HOLTROP_UNITS, "DELFT": ship_data.DELFT_UNITS}.get(method, {})
+    return [(f"{method.lower()}.{name}", name, unit) for name, unit in units.items()]
 
 
 class HULL_PT_resistance(HullPanel, bpy.types.Panel):
@@ -124,7 +127,7 @@ class HULL_PT_resistance_inputs(HullPanel, bpy.types.Panel):
             column = layout.column(align=True)
             column.prop(own, "thruster_diameter")
             column.prop(own, "roughness_um")
-        rows = _INPUTS[own.method]
+        rows = _inputs(own.method)
         if not rows:
             label_wrapped(layout, context, "Michell takes the exact surface itself", icon="INFO")
             return
