@@ -239,7 +239,11 @@ def draw_export_menu(self, context):
     layout.operator("hull.export_panels", text="Hull panels (.gdf, .dat, .obj)")
     layout.operator("hull.export_parts", text="Hull in named parts (.stl)")
     layout.operator("hull.export_plates", text="Hull plates (.pdf, .svg, .dxf, .csv)")
+    layout.operator("hull.export_templates", text="Templates of plates (.pdf, .svg, .dxf)")
+    layout.operator("hull.export_stretch", text="Stretch of plates (.pdf, .dxf)")
+    layout.operator("hull.export_nesting", text="Nesting of plates (.pdf, .dxf, .csv)")
     layout.operator("hull.export_frames", text="Hull frames (.pdf, .svg, .dxf)")
+    layout.operator("hull.export_frame_table", text="Table of frames (.csv)")
     layout.operator_menu_enum("hull.export_table", "analysis", text="Hull table (.csv)")
     layout.operator_menu_enum("hull.export_plot", "analysis", text="Hull plot (.pdf, .svg, .png)")
 
