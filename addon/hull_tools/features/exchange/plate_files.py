@@ -235,5 +235,8 @@ def last_plates(obj):
 def plate_words(row):
     """(name, what is told of it, whether its layout settled) of a plate in a list on screen."""
     ratio = row["largest_stretch"] / row["least_stretch"] - 1.0
-    words = f"{row['area_m2']:.1f} m² {row['mass_kg'] / 1000.0:.2f} t {1000.0 * ratio:.1f} ‰"
+    area, mass = row["area_m2"], row["mass_kg"] / 1000.0
+    # No longer than the sidebar is broad.
+    area_digits, mass_digits = int(area < 99.95), 2 - int(mass >= 9.995)
+    words = f"{area:.{area_digits}f} m² {mass:.{mass_digits}f} t {1000.0 * ratio:.1f} ‰"
     return row["plate"], words, "settled" not in row["form"]
