@@ -78,6 +78,7 @@ OF_A_BODY = {
     "shell_area": lambda body: body.shell_area,
     "shell_flux_forms": lambda body: body.shell_flux_forms,
     "hydrostatics": lambda body: hn.hydrostatics(body, draft=0.5),
+    "lateral_profile": lambda body: hn.lateral_profile(body, draft=0.5),
     "inflate": lambda body: hn.inflate(body, 1.0, 0.5, draft=0.5),
     "lengthen": lambda body: hn.lengthen(body, 1.0, 0.1, draft=0.5),
     "match_areas": lambda body: hn.match_areas(body, [0.5, 1.0, 1.5], [0.3] * 3, draft=0.5),

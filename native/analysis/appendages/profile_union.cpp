@@ -19,15 +19,15 @@ struct Edge {
   }
 };
 
-struct Range {
+struct LengthRange {
   double low = std::numeric_limits<double>::infinity(), high = -low;
 };
 
 // Between which x the union may be another than the sum.
-Range range_of(const std::vector<ProfileOutline>& outlines) {
+LengthRange length_range_of(const std::vector<ProfileOutline>& outlines) {
   const auto is_hull = [](const ProfileOutline& o) { return o.role == MemberRole::kHull; };
   const bool several = std::count_if(outlines.begin(), outlines.end(), is_hull) > 1;
-  Range range;
+  LengthRange range;
   for (const ProfileOutline& outline : outlines) {
     if (is_hull(outline) && !several) continue;
     for (const auto& line : outline.lines) {
@@ -40,7 +40,8 @@ Range range_of(const std::vector<ProfileOutline>& outlines) {
   return range;
 }
 
-std::vector<Edge> edges_within(const std::vector<ProfileOutline>& outlines, const Range& range) {
+std::vector<Edge> edges_within(const std::vector<ProfileOutline>& outlines,
+                               const LengthRange& range) {
   std::vector<Edge> edges;
   for (std::size_t k = 0; k < outlines.size(); ++k) {
     for (const auto& [a, b] : outlines[k].lines) {
@@ -70,7 +71,7 @@ void add_crossings(const std::vector<Edge>& edges, std::vector<double>& breaks) 
 }
 
 // All x between which edges neither begin, nor end, nor cross.
-std::vector<double> breaks_of(const std::vector<Edge>& edges, const Range& range) {
+std::vector<double> breaks_of(const std::vector<Edge>& edges, const LengthRange& range) {
   std::vector<double> breaks{range.low, range.high};
   for (const Edge& edge : edges) {
     breaks.push_back(edge.from.x());
@@ -118,7 +119,7 @@ int times_more(const std::vector<ProfileOutline>& outlines, const std::vector<in
 
 std::vector<ProfilePart> profile_union(const std::vector<ProfileOutline>& outlines) {
   std::vector<ProfilePart> parts;
-  const Range range = range_of(outlines);
+  const LengthRange range = length_range_of(outlines);
   if (!(range.high > range.low)) return parts;
   const std::vector<Edge> edges = edges_within(outlines, range);
   const std::vector<double> breaks = breaks_of(edges, range);
