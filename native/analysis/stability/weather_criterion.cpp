@@ -9,8 +9,8 @@
 
 #include "analysis/arithmetic/degree.h"
 #include "analysis/hydrostatics/hydrostatics.h"
-#include "analysis/stations/lateral_profile.h"
 #include "analysis/stability/weathertight.h"
+#include "analysis/stations/lateral_profile.h"
 
 namespace hull::analysis {
 namespace {
