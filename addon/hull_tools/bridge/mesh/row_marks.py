@@ -15,7 +15,7 @@ def marked(mesh):
         marks = edge_marks.stored_marks(mesh, ATTRIBUTE)
         if not marks.any():
             return np.empty((0, 2), dtype=np.int64)
-        return _edges(mesh)[marks].astype(np.int64)
+        return edge_marks.edges_of(mesh)[marks]
     bm = bmesh.from_edit_mesh(mesh)
     marks = edge_marks.edited_marks(bm, ATTRIBUTE)
     if marks.any():
@@ -26,14 +26,8 @@ def marked(mesh):
 
 def store(mesh, edges):
     """Marks exactly the edges between pairs of points; `mesh` is not in edit mode."""
-    keys = mesh_arrays.edge_keys(_edges(mesh))
+    keys = mesh_arrays.edge_keys(edge_marks.edges_of(mesh))
     edge_marks.store_marks(mesh, ATTRIBUTE, np.isin(keys, mesh_arrays.edge_keys(edges)))
-
-
-def _edges(mesh):
-    edges = np.empty((len(mesh.edges), 2), dtype=np.int32)
-    mesh.edges.foreach_get("vertices", edges.reshape(-1))
-    return edges
 
 
 def mark(mesh, edges):
