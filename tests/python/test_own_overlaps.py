@@ -112,3 +112,27 @@ def test_what_cuts_nothing_is_named():
         warnings.simplefilter("error")
         body.join([hn.cylinder(**TUNNEL)])
     assert body.idle_cuts == []
+
+
+def test_bodies_all_but_in_one_another_are_refused():
+    """Two coasters a tenth of a millimetre apart here and there: there is no end to how often
+    their surfaces cross, which is told and not waited for."""
+    sample, _ = body_of("coaster")
+    mesh = sample.surface.mesh
+    count, random = len(mesh.points), np.random.default_rng(23)
+    points = np.concatenate([mesh.points, mesh.points + random.uniform(-1e-4, 1e-4, (count, 3))])
+    pairs = np.asarray(sample.data.creases).reshape(-1, 2)
+    both = hn.ControlMesh(
+        points,
+        np.concatenate([mesh.face_sizes, mesh.face_sizes]),
+        np.concatenate([mesh.face_vertices, mesh.face_vertices + count]),
+        np.concatenate([pairs, pairs + count]),
+    )
+    body = hn.HullBody(hn.LimitSurface(both), mirrored=False)
+    with pytest.raises(ValueError, match="own bodies lie in one another"):
+        body.join([])
+    ((_, _, volume, countable),) = body.own_overlaps
+    assert not countable
+    # An estimate, of 4,096 points.
+    alone = whole_volume(hn.HullBody(sample.surface, mirrored=False))
+    assert volume == pytest.approx(alone, rel=0.05)

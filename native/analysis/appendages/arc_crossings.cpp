@@ -101,6 +101,8 @@ class ArcSearch {
     halve(arc, patch, t, u, v, longest);
   }
 
+  int parts() const { return parts_; }
+
  private:
   bool are_apart(const CubicArc& arc, const surface::BezierPatch& patch) const {
     const Vector3d axes[] = {frame_.first, frame_.second, Vector3d::UnitX(), Vector3d::UnitY(),
@@ -184,10 +186,12 @@ ArcFrame::ArcFrame(const CubicArc& arc) {
   second = along.cross(first);
 }
 
-void find_arc_crossings(const CubicArc& arc, const ArcFrame& frame,
-                        const surface::BezierPatch& patch, double touching,
-                        std::vector<ArcCrossing>& crossings) {
-  ArcSearch(arc, frame, patch, touching, crossings).search(arc, patch, {}, {}, {});
+int find_arc_crossings(const CubicArc& arc, const ArcFrame& frame,
+                       const surface::BezierPatch& patch, double touching,
+                       std::vector<ArcCrossing>& crossings) {
+  ArcSearch search(arc, frame, patch, touching, crossings);
+  search.search(arc, patch, {}, {}, {});
+  return search.parts();
 }
 
 }  // namespace hull::analysis

@@ -131,17 +131,19 @@ bool ClosedShell::comes_near(const Eigen::AlignedBox3d& box) const {
   return found;
 }
 
-void ClosedShell::find_crossings(const CubicArc& arc, std::vector<ArcCrossing>& crossings) const {
+int ClosedShell::find_crossings(const CubicArc& arc, std::vector<ArcCrossing>& crossings) const {
+  int parts = 0;
   const ArcFrame frame(arc);
   const ArcShadow shadow(arc, frame);
   visit([&](const Eigen::AlignedBox3d& own) { return shadow.meets(own); },
         [&](const surface::BezierPatch& patch) {
-          find_arc_crossings(arc, frame, patch, touching_, crossings);
+          parts += find_arc_crossings(arc, frame, patch, touching_, crossings);
           return false;
         });
+  return parts;
 }
 
-bool ClosedShell::is_inside(const Vector3d& point) const {
+bool ClosedShell::is_inside(const Vector3d& point, int* parts_left) const {
   if (!box().contains(point)) return false;
   const double length = 2.0 * box().diagonal().norm();
   std::vector<ArcCrossing> crossings;
@@ -149,7 +151,9 @@ bool ClosedShell::is_inside(const Vector3d& point) const {
   for (const Vector3d& ray : kRays) {
     const Vector3d third = ray * (length / 3.0);
     crossings.clear();
-    find_crossings({point, point + third, point + 2.0 * third, point + 3.0 * third}, crossings);
+    const int parts =
+        find_crossings({point, point + third, point + 2.0 * third, point + 3.0 * third}, crossings);
+    if (parts_left) *parts_left -= parts;
     if (count_crossings(crossings, outwards)) break;
   }
   return outwards > 0;

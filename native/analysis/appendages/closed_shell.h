@@ -23,11 +23,11 @@ class ClosedShell {
   // Whether any patch's box meets the box.
   bool comes_near(const Eigen::AlignedBox3d& box) const;
   // Appends the arc's crossings with the surface, unsorted; those at common sides may be there more
-  // than once.
-  void find_crossings(const CubicArc& arc, std::vector<ArcCrossing>& crossings) const;
+  // than once. Returns how many parts were looked at.
+  int find_crossings(const CubicArc& arc, std::vector<ArcCrossing>& crossings) const;
   // By how often a line to the outside passes the surface outwards: of a point on the surface
-  // either answer.
-  bool is_inside(const Vector3d& point) const;
+  // either answer. The parts that were looked at are taken off *parts_left, if any.
+  bool is_inside(const Vector3d& point, int* parts_left = nullptr) const;
 
  private:
   // A range of patches; leaves have no nodes below.

@@ -12,6 +12,9 @@ namespace hull::analysis {
 namespace {
 
 constexpr int kMostDivisions = 16;
+// Of all patches together, before surfaces count as entangled: looks at other members, twenty times
+// what samples with appendages take.
+constexpr int kMostLooks = 1000000;
 // Of the smaller body's box: what closed surfaces may be open by.
 constexpr double kOpen = 1e-5;
 // Of its box: what a hole's wall measures that is none.
@@ -40,8 +43,12 @@ double extent(const surface::BezierPatch& patch, int axis) {
 }  // namespace
 
 JoinedShells::JoinedShells(std::vector<JoinedMember> members, const Vector3d& origin,
-                           double tolerance)
-    : members_(std::move(members)), origin_(origin), tolerance_(tolerance) {
+                           double tolerance, int* parts_left)
+    : members_(std::move(members)),
+      origin_(origin),
+      tolerance_(tolerance),
+      looks_left_(kMostLooks),
+      parts_left_(parts_left) {
   for (std::size_t m = 0; m < members_.size(); ++m) {
     const std::vector<surface::BezierPatch>& patches = members_[m].shell.patches();
     for (std::size_t i = 0; i < patches.size(); ++i) {
@@ -51,12 +58,13 @@ JoinedShells::JoinedShells(std::vector<JoinedMember> members, const Vector3d& or
   }
   try {
     for (Piece& piece : pieces_) {
-      piece.moments = moments_of(piece, nullptr);
+      piece.moments = moments_of(piece, nullptr, parts_left);
       whole_ += piece.moments;
     }
   } catch (const SurfacesInOneAnother&) {
     refuse();
   }
+  parts_left_ = nullptr;
   check_closed();
 }
 
@@ -76,6 +84,8 @@ bool JoinedShells::is_taken(int member, const std::vector<bool>& inside) const {
 
 void JoinedShells::collect(const surface::BezierPatch& patch, int member, bool has_area,
                            int depth) {
+  looks_left_ -= static_cast<int>(members_.size());
+  if (looks_left_ < 0) refuse();
   const Eigen::AlignedBox3d box = patch.box();
   const MemberRole role = members_[member].role;
   std::vector<int> near;
@@ -105,7 +115,8 @@ void JoinedShells::collect(const surface::BezierPatch& patch, int member, bool h
   std::vector<bool> within(members_.size());
   for (std::size_t m = 0; m < members_.size(); ++m) {
     if (static_cast<int>(m) == member || std::ranges::count(near, static_cast<int>(m))) continue;
-    within[m] = members_[m].shell.is_inside(jet.point);
+    within[m] = members_[m].shell.is_inside(jet.point, parts_left_);
+    if (*parts_left_ < 0) refuse();
   }
   if (near.empty() && !is_taken(member, within)) return;
   const double sign = role == MemberRole::kAdded ? 1.0 : -1.0;
@@ -122,7 +133,8 @@ void JoinedShells::collect(const surface::BezierPatch& patch, int member, bool h
                      10.0 * tolerance_ * std::min(area, area_of(own))});
 }
 
-ShellMoments JoinedShells::moments_of(const Piece& piece, const Plane* water) const {
+ShellMoments JoinedShells::moments_of(const Piece& piece, const Plane* water,
+                                      int* parts_left) const {
   std::vector<const ClosedShell*> near;
   for (int m : piece.near) near.push_back(&members_[m].shell);
   std::vector<bool> within = piece.within;
@@ -130,7 +142,7 @@ ShellMoments JoinedShells::moments_of(const Piece& piece, const Plane* water) co
     for (std::size_t k = 0; k < piece.near.size(); ++k) within[piece.near[k]] = inside[k];
     return is_taken(piece.member, within);
   };
-  const PieceRule rule{origin_, piece.volume_tolerance, piece.area_tolerance};
+  const PieceRule rule{origin_, piece.volume_tolerance, piece.area_tolerance, parts_left};
   ShellMoments moments = near.empty() && !water
                              ? whole_patch_moments(piece.patch, rule)
                              : cut_patch_moments(piece.patch, near, takes, water, rule);
@@ -154,7 +166,7 @@ ShellMoments JoinedShells::change(const Plane& water) const {
     }
     if (lowest >= 0.0) continue;
     try {
-      sum += highest <= 0.0 ? piece.moments : moments_of(piece, &water);
+      sum += highest <= 0.0 ? piece.moments : moments_of(piece, &water, nullptr);
     } catch (const SurfacesInOneAnother&) {
       refuse();
     }

@@ -18,6 +18,8 @@ constexpr double kShared = 1e-9;
 constexpr double kSheet = 1e-6;
 constexpr double kTolerance = 1e-9;
 constexpr int kSamples = 4096;
+// Parts of lines of all pairs together, what some four seconds take, and what samples count for.
+constexpr int kMostPairParts = 24000000, kPartsOfSamples = 2000000;
 
 using Box = Eigen::AlignedBox3d;
 
@@ -57,10 +59,10 @@ bool is_sheet(const ClosedShell& shell) {
   return moments_of(shell).first.trace() / 3.0 <= kSheet * space_in(shell.box());
 }
 
-// None where surfaces lie in one another.
-std::optional<double> exact_overlap(const JoinedMember& a, const JoinedMember& b) {
+// None where surfaces lie in one another, or parts_left are not enough.
+std::optional<double> exact_overlap(const JoinedMember& a, const JoinedMember& b, int& parts_left) {
   try {
-    const JoinedShells joined({a, b}, a.shell.box().center(), kTolerance);
+    const JoinedShells joined({a, b}, a.shell.box().center(), kTolerance, &parts_left);
     return -joined.whole_change().first.trace() / 3.0;
   } catch (const std::invalid_argument&) {
     return std::nullopt;
@@ -100,9 +102,16 @@ std::vector<OwnOverlap> own_overlaps(const HullBody& body) {
   for (const JoinedMember& member : members) {
     boxes.push_back(is_sheet(member.shell) ? Box() : member.shell.box());
   }
+  int parts_left = kMostPairParts;
   for_each_near(boxes, [&](int i, int j) {
+    if (parts_left < 0) return;
     const ClosedShell &a = members[i].shell, &b = members[j].shell;
-    const std::optional<double> exact = exact_overlap(members[i], members[j]);
+    // So that one pair of many does not take it all.
+    int own_left = std::max(kPartsOfSamples, parts_left / 4);
+    parts_left -= own_left;
+    const std::optional<double> exact = exact_overlap(members[i], members[j], own_left);
+    parts_left += std::max(own_left, 0);
+    if (!exact) parts_left -= kPartsOfSamples;
     const double volume = exact ? *exact : sampled_overlap(a, b);
     if (volume > kShared * std::min(space_in(a.box()), space_in(b.box()))) {
       found.push_back({i, j, volume, exact.has_value()});

@@ -23,7 +23,7 @@ bool may_overlap(const HullBody& body);
 
 // All pairs that overlap, by the whole surface; what encloses nothing, as a sheet, has no part in
 // it. Only where boxes have space in common are surfaces looked at, which takes a fraction of a
-// second.
+// second; of many bodies that lie in one another only the first pairs, for some seconds.
 std::vector<OwnOverlap> own_overlaps(const HullBody& body);
 
 }  // namespace hull::analysis

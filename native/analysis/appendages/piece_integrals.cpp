@@ -255,7 +255,7 @@ ShellMoments whole_patch_moments(const surface::BezierPatch& patch, const PieceR
 ShellMoments cut_patch_moments(const surface::BezierPatch& patch,
                                const std::vector<const ClosedShell*>& surfaces, const Takes& takes,
                                const Plane* water, const PieceRule& rule) {
-  return PieceIntegral(PieceLines(patch, surfaces, takes, water, rule.origin), rule).compute();
+  return PieceIntegral(PieceLines(patch, surfaces, takes, water, rule), rule).compute();
 }
 
 }  // namespace hull::analysis

@@ -10,12 +10,15 @@
 
 namespace hull::analysis {
 
-// Thrown where lines of a piece run along another surface, not across it.
+// Thrown where lines of a piece run along another surface, not across it, or come so near to others
+// so often that there is no end to it.
 struct SurfacesInOneAnother {};
 
 struct PieceRule {
   Vector3d origin;      // moments are about it
   double volume, area;  // errors of an interval, m³ and m²
+  // Of lines, looked at where they cross surfaces, all pieces together; null without a limit.
+  int* parts_left = nullptr;
 };
 
 // Of a whole patch; the area, which is no polynomial, by halves until it is that near.

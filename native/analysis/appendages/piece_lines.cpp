@@ -69,11 +69,15 @@ void PieceLines::add_water(const CubicArc& arc, std::vector<double>& breaks) con
   for (double t : sign_changes(heights)) breaks.push_back(t);
 }
 
+void PieceLines::spend(int parts) const {
+  if (parts_left_ && (*parts_left_ -= parts) < 0) throw SurfacesInOneAnother();
+}
+
 std::vector<double> PieceLines::side_breaks(int first, int step) const {
   const CubicArc arc = side_arc(patch_, first, step);
   std::vector<double> breaks;
   std::vector<ArcCrossing> crossings;
-  for (const ClosedShell* surface : surfaces_) surface->find_crossings(arc, crossings);
+  for (const ClosedShell* surface : surfaces_) spend(surface->find_crossings(arc, crossings));
   std::ranges::sort(crossings, {}, &ArcCrossing::t);
   for (const ArcCrossing& crossing : crossings) {
     if (crossing.t <= kApart || crossing.t >= 1.0 - kApart) continue;
@@ -93,7 +97,9 @@ bool PieceLines::is_inside(int surface, const PatchLine& line, double u) const {
   };
   if (after != all.begin() && alone(after - 1)) return (after - 1)->way < 0;
   if (after != all.end() && alone(after)) return after->way > 0;
-  return surfaces_[surface]->is_inside(line.point(u));
+  const bool inside = surfaces_[surface]->is_inside(line.point(u), parts_left_);
+  spend(0);
+  return inside;
 }
 
 // Where a line crosses surfaces and the water, unsorted.
@@ -102,7 +108,7 @@ std::vector<double> PieceLines::line_breaks(const PatchLine& line) {
   counts_.assign(surfaces_.size() + 1, 0);
   for (std::size_t k = 0; k < surfaces_.size(); ++k) {
     crossings_[k].clear();
-    surfaces_[k]->find_crossings(line.arc, crossings_[k]);
+    spend(surfaces_[k]->find_crossings(line.arc, crossings_[k]));
     std::ranges::sort(crossings_[k], {}, &ArcCrossing::t);
     double before = -1.0;
     for (const ArcCrossing& crossing : crossings_[k]) {

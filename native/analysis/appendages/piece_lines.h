@@ -26,8 +26,13 @@ using LineCounts = std::vector<int>;
 class PieceLines {
  public:
   PieceLines(const surface::BezierPatch& patch, const std::vector<const ClosedShell*>& surfaces,
-             const Takes& takes, const Plane* water, const Vector3d& origin)
-      : patch_(patch), surfaces_(surfaces), takes_(takes), water_(water), origin_(origin) {
+             const Takes& takes, const Plane* water, const PieceRule& rule)
+      : patch_(patch),
+        surfaces_(surfaces),
+        takes_(takes),
+        water_(water),
+        origin_(rule.origin),
+        parts_left_(rule.parts_left) {
     crossings_.resize(surfaces.size());
   }
 
@@ -45,6 +50,7 @@ class PieceLines {
  private:
   std::vector<double> line_breaks(const PatchLine& line);
   void count_touches();
+  void spend(int parts) const;
   bool is_inside(int surface, const PatchLine& line, double u) const;
   void add_water(const CubicArc& arc, std::vector<double>& breaks) const;
 
@@ -53,6 +59,7 @@ class PieceLines {
   const Takes& takes_;
   const Plane* water_;
   Vector3d origin_;
+  int* parts_left_;
   std::vector<std::vector<ArcCrossing>> crossings_;
   LineCounts counts_;
   int touched_ = 0;
