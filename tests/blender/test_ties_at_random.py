@@ -18,6 +18,8 @@ from edited_hulls import edit, select
 from test_fit import shape_of
 from tied_hulls import SINGLE, misses, stored_misses, tie, ties
 
+pytestmark = pytest.mark.once
+
 SEED, COUNT = 2511, int(os.environ.get("HULL_TIE_EDITS", 1000))
 HELD = 1e-12
 _DIMENSIONS = ("length_pp", "beam", "draft", "depth")
