@@ -14,7 +14,7 @@ import bpy
 from foreign_operations import runs
 
 STEPS = int(os.environ.get("HULL_FOREIGN_STEPS", 2000))
-SEED = int(os.environ.get("HULL_FOREIGN_SEED", 20261122))
+SEED = int(os.environ.get("HULL_FOREIGN_SEED", 97000000))
 IN_WINDOW = os.environ.get("HULL_FOREIGN_WINDOW") == "1"
 # Small: it is drawn after each step.
 WINDOW = ("--window-geometry", "0", "0", "800", "600", "-noaudio", "--enable-event-simulate")

@@ -124,7 +124,7 @@ class LiveShip:
         has_others: other appendages than before."""
         surface, body = self.surface, self.body
         has_moved = self.geometry_key != geometry_key
-        if surface is None or self.topology_key != topology_key:
+        if surface is None or self.topology_key != topology_key or self._is_of_others(source):
             surface, body = native.require().LimitSurface(mesh, source.scheme), None
             self.moved = moves.Moves(None, geometry_key, native.require().MoveWatch(surface))
         elif has_moved:
@@ -144,6 +144,15 @@ class LiveShip:
         source, body = self._counted_once(source, body)
         self.surface, self.body, self.source = surface, body, source
         self.topology_key, self.geometry_key = topology_key, geometry_key
+
+    def _is_of_others(self, source):
+        """Whether a source has other faces than the surface, though the mesh's are the same: which
+        part of a mesh with errors makes a surface depends on where its points are."""
+        before, control = self.source.control, source.control
+        return before.face_vertices is not control.face_vertices and not all(
+            np.array_equal(getattr(before, name), getattr(control, name))
+            for name in ("face_sizes", "face_vertices", "creases", "corners")
+        )
 
     def _tried(self, source, join):
         """Source without its appendages where joining raises; then the body is the hull alone."""
