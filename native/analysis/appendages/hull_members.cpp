@@ -77,8 +77,8 @@ std::shared_ptr<const JoinedShells> joined_shells(const HullBody& body,
     if (appendage.mirrored) members.push_back({mirror_image(shell), role, appendage.name});
     members.push_back({std::move(shell), role, appendage.name, {}, appendage});
   }
-  // Parts of lines: what some three seconds take for the hull's own bodies, ten times what the samples'
-  // appendages take.
+  // Parts of lines: what some three seconds take for the hull's own bodies, ten times what the
+  // samples' appendages take.
   int parts_left = appendages.empty() ? 12000000 : 50000000;
   return std::make_shared<const JoinedShells>(
       std::move(members), body.centre(), std::max(kFinestJoint, body.tolerance()), &parts_left);
