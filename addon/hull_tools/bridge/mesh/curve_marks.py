@@ -8,7 +8,7 @@ it survives saving, undo, copying and joining, and an edge that is divided leave
 import bmesh
 import numpy as np
 
-from . import edge_marks, mesh_arrays, own_attributes
+from . import edge_marks, mesh_arrays
 
 ATTRIBUTE = "hull_curve"
 
@@ -31,10 +31,9 @@ def give(mesh, edges, number):
     """Gives these edges, pairs of points, a number, 0 to take theirs, in edit mode or not."""
     keys = mesh_arrays.edge_keys
     chosen = np.isin(keys(edge_marks.edges_of(mesh)), keys(edges))
-    numbers = np.where(chosen, number, _numbers(mesh)).astype(np.int32)
+    numbers = np.where(chosen, number, _numbers(mesh))
     if not mesh.is_editmode:
-        attribute = own_attributes.made(mesh, ATTRIBUTE, "INT", "EDGE")
-        attribute.data.foreach_set("value", numbers)
+        edge_marks.store_marks(mesh, ATTRIBUTE, numbers)
         return
     edge_marks.edit_marks(bmesh.from_edit_mesh(mesh), ATTRIBUTE, numbers)
     bmesh.update_edit_mesh(mesh, loop_triangles=False, destructive=False)

@@ -51,7 +51,8 @@ def edited_marks(bm, name):
 
 
 def store_marks(mesh, name, marks):
-    """Marks exactly the edges of (edges,) bool; `mesh` is not in edit mode."""
+    """Marks exactly the edges of (edges,) bool, or gives each its number; `mesh` is not in edit
+    mode."""
     attribute = own_attributes.made(mesh, name, "INT", "EDGE")
     attribute.data.foreach_set("value", np.ascontiguousarray(marks, dtype=np.int32))
 
