@@ -13,8 +13,8 @@
 #include "exchange/occt_geometry.h"
 #include "exchange/occt_session.h"
 #include "exchange/regions.h"
-#include "exchange/solid_sides.h"
 #include "exchange/step_text.h"
+#include "exchange/telling_faces.h"
 #include "files/atomic_file.h"
 
 namespace hull::exchange {

@@ -6,7 +6,7 @@
 #include <functional>
 #include <vector>
 
-#include "modelling/fit_equations.h"
+#include "modelling/fit/fit_equations.h"
 #include "surface/pieces/piece_weights.h"
 
 namespace hull::modelling {

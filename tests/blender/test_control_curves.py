@@ -93,7 +93,7 @@ def test_curves_last_through_edits_copies_and_files(tmp_path):
     copy = bpy.context.view_layer.objects.active
     assert copy is not hull and [c.name for c in copy.hull.fairness.curves] == ["chine", "sheer"]
     assert len(edges_of(copy, "chine")) == COLUMNS
-    data = part("features.hull.hull_saving").hull_data(hull, bpy.context.scene)
+    data = part("features.hull.hull_to_data").hull_data(hull, bpy.context.scene)
     assert [(c.name, c.shown, len(c.edges)) for c in data.curves] == [
         ("chine", True, COLUMNS), ("sheer", False, 5)
     ]  # fmt: skip

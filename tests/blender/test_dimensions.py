@@ -54,7 +54,7 @@ def test_samples_reach_their_dimensions_in_one_step(name):
     wanted = {"length": 1.1 * settings.length_pp, "beam": 0.9 * settings.beam,
               "draft": 1.05 * settings.draft}  # fmt: skip
     depth, spacing = settings.depth, settings.lines.waterline_spacing
-    data = part("features.hull.hull_saving").hull_data(hull, bpy.context.scene)
+    data = part("features.hull.hull_to_data").hull_data(hull, bpy.context.scene)
     assert bpy.ops.hull.set_dimensions(**wanted) == {"FINISHED"}
     hull = bpy.context.object
     settings, state = hull.hull, state_of(hull)
@@ -68,7 +68,7 @@ def test_samples_reach_their_dimensions_in_one_step(name):
         1.1 * 0.9 * 1.05 * volume, rel=3e-6
     )
     assert state.status == "" and state.keeping.held == "" and state.scaling.noticed() is None
-    made = part("features.hull.hull_saving").hull_data(hull, bpy.context.scene)
+    made = part("features.hull.hull_to_data").hull_data(hull, bpy.context.scene)
     core = hull_io().scaled(data, (1.1, 0.9, 1.05))
     assert np.abs(made.points - core.points).max() < 1e-6 * size
     assert len(made.flats) == len(core.flats) and made.creases == core.creases

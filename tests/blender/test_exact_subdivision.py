@@ -216,9 +216,9 @@ def test_smooth_rims_of_flats_are_let_go(name):
 
 def test_what_is_not_of_the_shell_stays():
     hull = grid_hull()
-    parting = part("features.modelling.parting")
+    splitting = part("features.modelling.splitting")
     before = surface_of(hull)
-    assert parting.set_aside(hull, bpy.context.scene, [0, 1]) == 2
+    assert splitting.set_aside(hull, bpy.context.scene, [0, 1]) == 2
     shell = surface_of(hull)
     found = subdivide(hull)
     assert found.faces == 2 + 4 * (before.mesh.face_count - 2)

@@ -26,12 +26,12 @@ def plated(name=None, strake=1.5, butts=4.0):
 
 
 def report_of(hull):
-    return part("features.exchange.plate_files").last_plates(hull)[0]
+    return part("features.production.plate_files").last_plates(hull)[0]
 
 
 def layout_of(hull):
     state = part("features.hull.hull_state").state_of(hull)
-    return state.of(part("features.exchange.plate_files").KeptPlates).layout
+    return state.of(part("features.production.plate_files").KeptPlates).layout
 
 
 def listed(path):

@@ -79,7 +79,7 @@ def test_plates_by_the_panel_s_rules(tmp_path):
     rules[2].kind, rules[2].value = "station", 30.0
     hull.hull.plates.thickness = 12.0
     assert bpy.ops.hull.lay_out_plates() == {"FINISHED"}
-    report, is_current = part("features.exchange.plate_files").last_plates(hull)
+    report, is_current = part("features.production.plate_files").last_plates(hull)
     assert is_current
     surface = part("features.hull.hull_state").state_of(hull).ship.surface
     whole = 2.0 * part("bridge.native").require().surface_areas(surface).areas.sum()
@@ -91,7 +91,7 @@ def test_plates_by_the_panel_s_rules(tmp_path):
     hull.data.vertices[0].co.x += 0.01
     hull.data.update()
     bpy.context.view_layer.update()
-    assert not part("features.exchange.plate_files").last_plates(hull)[1]
+    assert not part("features.production.plate_files").last_plates(hull)[1]
 
 
 def test_frames_by_ranges_from_fp():
@@ -101,7 +101,7 @@ def test_frames_by_ranges_from_fp():
     for last, spacing in ((10, 0.5), (100, 0.6)):
         bpy.ops.hull.change_plate_list(action="ADD_RANGE")
         settings.ranges[-1].last, settings.ranges[-1].spacing = last, spacing
-    rules = part("features.exchange.plate_rules")
+    rules = part("features.production.plate_rules")
     table = rules.frame_table(hull, bpy.context.scene)
     assert table.position(0) == pytest.approx(hull.hull.length_pp)
     assert table.position(11) == pytest.approx(hull.hull.length_pp - 10 * 0.5 - 0.6, abs=1e-5)
@@ -121,7 +121,7 @@ def test_rules_that_make_no_seam_are_one_sentence(kind, value, told):
     hull.hull.plates.rules[0].kind, hull.hull.plates.rules[0].value = kind, value
     with pytest.raises(RuntimeError, match=told):
         bpy.ops.hull.lay_out_plates()
-    assert part("features.exchange.plate_files").last_plates(hull)[0] is None
+    assert part("features.production.plate_files").last_plates(hull)[0] is None
 
 
 @pytest.mark.parametrize("ending", ["pdf", "dxf", "csv"])
@@ -158,7 +158,7 @@ def test_rules_are_kept_in_the_hull_file(tmp_path):
     plates.thickness, plates.numbered_from, plates.in_roman = 12.5, "FP", True
     made = plates.ranges.add()
     made.last, made.spacing = 40, 0.65
-    rules = part("features.exchange.plate_rules")
+    rules = part("features.production.plate_rules")
     before = rules.seam_rules(hull, bpy.context.scene)
     path = tmp_path / "coaster.hull.json"
     assert bpy.ops.hull.export_hull(filepath=str(path)) == {"FINISHED"}

@@ -155,7 +155,7 @@ def test_named_parts(tmp_path):
 def test_figures_of_the_model_and_of_the_panels():
     hull = add_hull()
     hull.hull.draft = 2.0
-    made = part("features.exchange.made_models")
+    made = part("features.production.made_models")
     assert made.model_figures(hull) == (None, False)
     assert bpy.ops.hull.make_model() == {"FINISHED"}
     figures, is_current = made.model_figures(hull)
@@ -172,8 +172,8 @@ def test_figures_of_the_model_and_of_the_panels():
 
 def test_cancelling_leaves_nothing(tmp_path):
     hull = add_hull()
-    files = part("features.exchange.production_files")
-    made = part("features.exchange.made_models")
+    files = part("features.production.production_files")
+    made = part("features.production.made_models")
     jobs = part("bridge.background.jobs")
     task = files.ModelFile(
         hull, bpy.context.scene, str(tmp_path / "box.stl"), made.ModelOptions(100.0, 0.05, 2.0), 0.2
@@ -228,7 +228,7 @@ def test_files_of_a_hull_with_a_keel_say_that_they_are_without(tmp_path, capfd):
         (bpy.ops.hull.make_panels, lambda models: models.panel_figures(hull, bpy.context.scene)),
     ):
         make()
-        found, is_current = figures(part("features.exchange.made_models"))
+        found, is_current = figures(part("features.production.made_models"))
         assert is_current and f"Without {keel}" in found.remark
     # The exact volume beside the panels is the bare hull's.
     volume = float(dict(found.rows)["Exact ∇"].split()[0])

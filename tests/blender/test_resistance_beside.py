@@ -140,7 +140,11 @@ def test_wave_pattern_and_spectrum():
     assert 0.125 * spectrum.power.sum() == pytest.approx(spectrum.resistance, rel=0.02)
     own.wave_speed_kn = 12.0
     pattern = analyses.result_of(hull, scene, "wave_pattern")
-    where, waves, found = pattern.given.where, part("features.resistance.waves"), pattern.behind
+    where, waves, found = (
+        pattern.given.where,
+        part("features.resistance.free_waves"),
+        pattern.behind,
+    )
     assert pattern.given.speed == pytest.approx(12.0 * 1852.0 / 3600.0)
     integral = waves.integral(state_of(hull).ship.body, pattern.given)
     stern = native.hydrostatics(state_of(hull).ship.body, draft=where.draft).waterline_aft

@@ -13,7 +13,7 @@ pytestmark = pytest.mark.once
 
 
 def shown(hull):
-    return part("features.exchange.seam_lines").shown(hull)
+    return part("features.production.seam_lines").shown(hull)
 
 
 def laid_out():
@@ -39,7 +39,7 @@ def test_the_seams_of_the_layout_are_shown():
     hull = laid_out()
     group = shown(hull)
     kept = part("features.hull.hull_state").state_of(hull)
-    layout = kept.of(part("features.exchange.plate_files").KeptPlates).layout
+    layout = kept.of(part("features.production.plate_files").KeptPlates).layout
     assert group.is_current and len(group.polylines) == len(layout.seams)
     for line, curve in zip(group.polylines, layout.seams):
         np.testing.assert_allclose(line, curve.points, atol=1e-12)

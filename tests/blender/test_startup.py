@@ -32,7 +32,7 @@ LATER = (
     "features.modelling.pulling",
     "features.networks",
     "features.studio.cameras",
-    "features.studio.ground",
+    "features.studio.water_or_floor",
     "overlays.field_arrays",
     "overlays.legend_arrays",
     "overlays.line_arrays",

@@ -138,7 +138,7 @@ def test_undo_brings_the_finer_mesh_back():
 
 def test_faces_outside_the_shell_lose_the_points_that_go():
     hull = grid_hull()
-    assert part("features.modelling.parting").set_aside(hull, bpy.context.scene, [0, 1]) == 2
+    assert part("features.modelling.splitting").set_aside(hull, bpy.context.scene, [0, 1]) == 2
     before, faces = mesh_points(hull), sorted(faces_of(hull))
     subdivide(hull)
     assert bpy.ops.hull.unsubdivide() == {"FINISHED"}

@@ -23,7 +23,7 @@ def begin(window):
 
 
 def last(hull):
-    return part("features.exchange.plate_files").last_plates(hull)[0]
+    return part("features.production.plate_files").last_plates(hull)[0]
 
 
 def is_running(hull):

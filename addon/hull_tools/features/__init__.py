@@ -19,6 +19,7 @@ Each subject uses itself, those above it and the bridge, nothing else:
   analyses        all tables and plots of those above, computed when they are looked at
   conversion      the surface as B-spline patches, and how far they are from it
   exchange        hull files; files for other programs: lines plan, tables, STEP, IGES, DXF
+  production      plates and frames to cut, models, parts and panels to compute with
   fitting         control points moved so that the surface meets a given shape
   geometry        hulls that exist as meshes or files, made control meshes
   fairing         chosen control points moved so that surface or rows are fair, within a deviation
@@ -32,6 +33,5 @@ Each subject uses itself, those above it and the bridge, nothing else:
   morphing        hulls between parents: members of a family, moved by weights
   studio          a studio around the hull, for pictures of it
 
-What is to come has its place, as a folder of its own: plates after conversion; the studio stays
-last.
+A new subject gets a folder of its own, below what it uses; the studio stays last.
 """

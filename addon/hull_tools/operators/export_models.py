@@ -8,7 +8,7 @@ import bpy
 from bpy.props import StringProperty
 
 from ..bridge.objects import hull_objects
-from ..features.exchange import made_models, production_files
+from ..features.production import made_models, production_files
 from ..properties import production_settings as settings
 from .export_hull import formats
 from .export_numbers import ExportWithNumbers

@@ -6,7 +6,7 @@ from bpy.props import BoolProperty, FloatProperty, StringProperty
 
 from ..bridge.counts import counted
 from ..bridge.objects import hull_objects
-from ..features.exchange import frame_files, plate_drawings, plate_files
+from ..features.production import frame_files, plate_drawings, plate_files
 from ..properties import plate_settings
 from .export_hull import formats
 from .export_numbers import (

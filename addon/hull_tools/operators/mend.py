@@ -8,7 +8,7 @@ from bpy.props import EnumProperty
 from ..bridge.blender import units
 from ..bridge.counts import counted
 from ..features.hull import hull_state, plausible
-from ..features.modelling import centre_line, mirroring, parting
+from ..features.modelling import centre_line, mirroring, splitting
 from .shared import HullOperator, in_object_mode
 
 
@@ -20,7 +20,7 @@ class HULL_OT_split(bpy.types.Operator, HullOperator):
     bl_label = "Split"
 
     def run_on(self, hull, context):
-        done = parting.split(hull, context.scene)
+        done = splitting.split(hull, context.scene)
         text = f"{done.points} points and {done.edges} edges split"
         if done.standing:
             text += (
@@ -40,9 +40,9 @@ class HULL_OT_set_aside(bpy.types.Operator, HullOperator):
         faces = None
         if hull.mode == "EDIT":
             faces = [face.index for face in bmesh.from_edit_mesh(hull.data).faces if face.select]
-        count = parting.set_aside(hull, context.scene, faces or None)
+        count = splitting.set_aside(hull, context.scene, faces or None)
         self.report(
-            {"INFO"}, f'{count} faces are in the layer "{parting.SET_ASIDE}", not the shell'
+            {"INFO"}, f'{count} faces are in the layer "{splitting.SET_ASIDE}", not the shell'
         )
 
 

@@ -5,7 +5,7 @@ import bpy
 from bpy.props import EnumProperty, IntProperty
 
 from ..bridge.blender import units
-from ..features.exchange import plate_files, plate_rules
+from ..features.production import plate_files, plate_rules
 from .shared import HullOperator
 from .tasks import TaskOperator
 

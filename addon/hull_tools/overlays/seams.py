@@ -8,7 +8,7 @@ from bpy_extras.view3d_utils import location_3d_to_region_2d
 from mathutils import Vector
 
 from ..bridge.blender import preferences
-from ..features.exchange import seam_lines
+from ..features.production import seam_lines
 from . import label_places, shapes
 from .lines import Pen, batch_of, seen_then_hidden
 from .view import Handler, hulls_in_view

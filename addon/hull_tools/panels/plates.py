@@ -5,7 +5,7 @@ import bpy
 
 from ..bridge.objects import hull_objects
 from ..features.conversion import conversions
-from ..features.exchange import plate_files
+from ..features.production import plate_files
 from .conversion import draw_task
 from .shared import HullPanel, label_value, label_wrapped, text_field
 

@@ -4,7 +4,7 @@
 import bpy
 
 from ..bridge.objects import hull_objects
-from ..features.exchange import made_models
+from ..features.production import made_models
 from .conversion import draw_task
 from .shared import HullPanel, field_or, label_value, label_wrapped
 

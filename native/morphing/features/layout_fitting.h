@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "modelling/fit.h"
+#include "modelling/fit/fit.h"
 #include "modelling/reshape/move_space.h"
 #include "morphing/features/layout_fit.h"
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "modelling/fit.h"
+#include "modelling/fit/fit.h"
 #include "morphing/features/feature_matching.h"
 #include "surface/limit_surface.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "modelling/fit_bounds.h"
+#include "modelling/fit/fit_bounds.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include <random>
 #include <stdexcept>
 
-#include "modelling/fit.h"
+#include "modelling/fit/fit.h"
 #include "test_meshes.h"
 
 namespace hull::modelling {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "modelling/fit.h"
+#include "modelling/fit/fit.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "modelling/pull_spread.h"
+#include "modelling/pull/pull_spread.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <random>
 #include <stdexcept>
 
-#include "modelling/pull.h"
+#include "modelling/pull/pull.h"
 #include "random_values.h"
 #include "surface/curvature.h"
 #include "test_meshes.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "modelling/pull.h"
+#include "modelling/pull/pull.h"
 
 #include <gtest/gtest.h>
 

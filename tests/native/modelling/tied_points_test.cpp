@@ -6,9 +6,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "modelling/fit.h"
+#include "modelling/fit/fit.h"
 #include "modelling/knuckle_setting.h"
-#include "modelling/pull.h"
+#include "modelling/pull/pull.h"
 #include "modelling/reshape/square_ties.h"
 #include "test_meshes.h"
 

@@ -2,7 +2,7 @@
 """Hull objects from hull_io's HullData, and hull files of them, with all that hull files hold."""
 
 from ....hull_io import write_hull_file
-from ..hull import hull_creation, hull_saving
+from ..hull import hull_creation, hull_to_data
 from ..variants import variant_data
 
 
@@ -16,6 +16,6 @@ def hull_object(hull, scene, collection):
 
 def export_hull_file(obj, scene, path):
     """Writes the hull as a hull file (.hull.json), which reads back as the same hull."""
-    data = hull_saving.hull_data(obj, scene)
+    data = hull_to_data.hull_data(obj, scene)
     data.variants = variant_data.take_variants(obj, scene)
     write_hull_file(data, path)

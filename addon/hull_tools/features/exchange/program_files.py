@@ -12,7 +12,7 @@ from ....hull_io.bytes_on_disk import write_bytes
 from ...bridge import native
 from ...bridge.blender import units
 from ..flotation import afloat, hydrostatics
-from ..hull import hull_saving, hull_state
+from ..hull import hull_state, hull_to_data
 from ..lines import line_places
 from ..lines.lines import size_of
 from ..resistance import asked
@@ -29,7 +29,7 @@ def unit_of(scene):
 
 def export_freeship(obj, scene, path):
     """Writes the hull as a FREE!ship file; returns sentences about what it does not hold."""
-    return write_freeship(hull_saving.hull_data(obj, scene), path, unit_of(scene))
+    return write_freeship(hull_to_data.hull_data(obj, scene), path, unit_of(scene))
 
 
 def export_sections(obj, scene, path):

@@ -22,7 +22,7 @@ from ..curves_of_form import hydrostatic_table, sectional_areas
 from ..exchange import cad_files, table_units, tables
 from ..flotation import hydrostatics
 from ..flotation.ship import Ship
-from ..hull import hull_saving, hull_state
+from ..hull import hull_state, hull_to_data
 from . import series
 
 HULL = "HULL"
@@ -109,7 +109,7 @@ class SeriesFiles(jobs.JobTask):
         conversions.clear_way(obj)
         scale = units.metres_per_unit(scene)
         if file_format == HULL:
-            data = hull_saving.hull_data(obj, scene)
+            data = hull_to_data.hull_data(obj, scene)
             write = _HullWriter(data, scale)
         else:
             choice = patches.choice_of(obj.hull.export)

@@ -8,22 +8,22 @@ import numpy as np
 
 from ...bridge import native
 from ...bridge.blender.units import METRIC
-from . import waves
+from . import free_waves
 
 IS_LIVE = False
 
-inputs = waves.inputs
+inputs = free_waves.inputs
 
 
 @dataclass(frozen=True, eq=False)
 class Result:
-    given: waves.Inputs
+    given: free_waves.Inputs
     behind: object  # hull_native.WavesBehind
 
 
 def compute(ship, given):
     hull_native = native.require()
-    integral = waves.integral(ship.body, given)
+    integral = free_waves.integral(ship.body, given)
     stern = ship.hydrostatics(given.where).waterline_aft
     ship.tell(1, 4)
     behind = hull_native.waves_behind(
@@ -49,7 +49,7 @@ def plot(result, name, shown=METRIC):
         found.y,
         found.heights,
         subtitles=[
-            waves.subtitle(name, result.given, shown),
+            free_waves.subtitle(name, result.given, shown),
             f"waves of directions up to {math.degrees(found.steepest):.0f}°",
         ],
         units=native.require().PlotUnits(shown.plot_sizes()),

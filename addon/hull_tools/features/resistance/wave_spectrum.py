@@ -7,11 +7,11 @@ import numpy as np
 
 from ...bridge import native
 from ...bridge.blender.units import METRIC
-from . import waves
+from . import free_waves
 
 IS_LIVE = False
 
-inputs = waves.inputs
+inputs = free_waves.inputs
 
 _DIRECTIONS_DEG = np.linspace(0.0, 85.0, 681)
 
@@ -20,7 +20,7 @@ _DIRECTIONS_DEG = np.linspace(0.0, 85.0, 681)
 class Result:
     """amplitudes: complex (n,), m. resistance: kN, of the waves of all directions."""
 
-    given: waves.Inputs
+    given: free_waves.Inputs
     amplitudes: np.ndarray
     resistance: float
 
@@ -37,7 +37,7 @@ class Result:
 
 
 def compute(ship, given):
-    integral = waves.integral(ship.body, given)
+    integral = free_waves.integral(ship.body, given)
     amplitudes = integral.amplitudes(given.speed, np.radians(_DIRECTIONS_DEG))
     ship.tell(1, 2)
     (found,) = integral.resistance([given.speed])
@@ -59,7 +59,7 @@ def plot(result, name, shown=METRIC):
         _DIRECTIONS_DEG,
         result.power,
         subtitles=[
-            waves.subtitle(name, result.given, shown),
+            free_waves.subtitle(name, result.given, shown),
             f"wave resistance {_force(result, shown)}",
         ],
         units=native.require().PlotUnits(shown.plot_sizes()),

@@ -9,13 +9,13 @@ from . import (
     cameras,
     deck,
     following,
-    ground,
     light,
     lines_on_hull,
     paint,
-    rendering,
+    renderer_settings,
     scene_settings,
     views,
+    water_or_floor,
 )
 from .place import MARK, find, hull_of, place_of
 
@@ -47,7 +47,7 @@ def make(hull, scene):
     here = place_of(hull, scene)
     _furnish(here, settings)
     lines_on_hull.add_lines(here, plan.cuts)
-    rendering.set_renderer(scene, settings.engine)
+    renderer_settings.set_renderer(scene, settings.engine)
     cameras.add_cameras(here)
     following.follow(scene)
     cameras.turn(here, settings.turntable_frames)
@@ -65,9 +65,9 @@ def _furnish(here, settings):
         deck.add_deck(here, paint.deck_paint(here))
     backdrop = light.backdrop_of(settings.light)
     if here.in_water:
-        ground.add_water(here, backdrop)
+        water_or_floor.add_water(here, backdrop)
     elif settings.ground == "FLOOR":
-        ground.add_floor(here, backdrop)
+        water_or_floor.add_floor(here, backdrop)
     here.scene.world = here.collection["own world"] = light.add_light(here, settings.light)
 
 

@@ -15,7 +15,7 @@ from ...bridge.background import timers
 from ...bridge.blender import units
 from ...bridge.objects import shown_objects
 from ..hull import hull_state
-from . import cameras, deck, ground, lines_on_hull, paint
+from . import cameras, deck, lines_on_hull, paint, water_or_floor
 from .place import MARK, find, hull_of, place_of
 
 _PAUSE_SECONDS = 0.4
@@ -126,7 +126,7 @@ class Plan:
         groups = lines_on_hull.find(here.hull, state, self.cuts)
         outlines = lines_on_hull.waterlines(here.hull, state, here.metres_per_unit)
         deck.follow(here)
-        ground.follow(here, outlines)
+        water_or_floor.follow(here, outlines)
         lines_on_hull.follow(here, state.ship.surface, groups)
         paint.follow(here, here.hull.hull.studio)
         here.collection[_SHOWN] = self.key

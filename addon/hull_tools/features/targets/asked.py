@@ -4,7 +4,7 @@
 from ...bridge import limits, native
 from ...bridge.blender import units
 from ..flotation import afloat
-from . import quantities, rows, waves
+from . import quantities, rows, wave_resistance
 
 DIMENSIONS = ("length", "beam", "draft")
 
@@ -28,7 +28,7 @@ def form_target(row, obj, scale):
     if quantity.identifier == quantities.SECTION:
         station["station"] = units.as_typed(row.station) * scale
     if quantity.identifier == quantities.WAVES:
-        station["speed"] = waves.speed_of(row)
+        station["speed"] = wave_resistance.speed_of(row)
     return native.require().FormTarget(
         quantity.number, value, tolerance=tolerance, sense=row.sense, **station
     )

@@ -4,7 +4,7 @@
 from ...bridge import limits
 from ...bridge.blender import units
 from ..hull import hull_state
-from . import quantities, waves
+from . import quantities, wave_resistance
 
 
 def in_use(obj):
@@ -33,7 +33,7 @@ def present(row, obj, scene):
         return None
     quantity = quantities.quantity_of(row)
     if quantity.identifier == quantities.WAVES:
-        return waves.known(row, state)
+        return wave_resistance.known(row, state)
     if quantity.identifier == quantities.GM:
         return values.kmt - kg_of(obj, units.metres_per_unit(scene))
     return getattr(values, _NAMES.get(quantity.number, quantity.number.replace(".", "_")), None)
@@ -62,7 +62,7 @@ def add_row(obj, quantity=None):
 def take_present(row, obj, scene):
     """Makes the present value of a row's number the wanted one, where it is known."""
     if row.quantity == quantities.WAVES:
-        waves.compute(row, obj, scene)
+        wave_resistance.compute(row, obj, scene)
     value = present(row, obj, scene)
     if value is not None:
         row.value = value

@@ -5,7 +5,7 @@ import bpy
 
 from ....hull_io.hull_data import Variant
 from ...bridge.blender import units
-from ..hull import hull_creation, hull_saving
+from ..hull import hull_creation, hull_to_data
 from . import kept_hulls
 
 
@@ -30,7 +30,7 @@ def take_variants(obj, scene):
     scale = units.metres_per_unit(scene)
     found = []
     for entry in obj.hull.variants.kept:
-        hull = hull_saving.ship_data(kept_hulls.as_hull(obj, entry), scale)
+        hull = hull_to_data.ship_data(kept_hulls.as_hull(obj, entry), scale)
         hull.name = entry.name
         found.append(Variant(hull, entry.note))
     return found

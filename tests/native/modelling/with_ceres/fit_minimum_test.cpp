@@ -8,7 +8,7 @@
 #include <cmath>
 #include <random>
 
-#include "modelling/fit.h"
+#include "modelling/fit/fit.h"
 #include "modelling/thin_plate.h"
 #include "surface/pieces/point_weights.h"
 #include "surface/queries/closest_point.h"

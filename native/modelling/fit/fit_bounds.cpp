@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "modelling/fit_bounds.h"
+#include "modelling/fit/fit_bounds.h"
 
 #include <algorithm>
 #include <limits>

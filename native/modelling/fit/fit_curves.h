@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "modelling/fit.h"
-#include "modelling/fit_rows.h"
+#include "modelling/fit/fit.h"
+#include "modelling/fit/fit_rows.h"
 #include "surface/creases/crease_curves.h"
 
 namespace hull::modelling::fit_internal {

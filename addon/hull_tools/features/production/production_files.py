@@ -21,10 +21,10 @@ from ...bridge.background import jobs
 from ...bridge.blender import units
 from ...bridge.objects import hull_mesh
 from ..conversion import conversions
+from ..exchange.endings import checked_ending
 from ..flotation import afloat
 from ..hull import hull_state
 from . import left_out
-from .endings import checked_ending
 from .made_models import made_model, made_panels
 
 MODEL_ENDINGS = (".stl", ".3mf", ".obj", ".cli")

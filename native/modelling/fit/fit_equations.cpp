@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "modelling/fit_equations.h"
+#include "modelling/fit/fit_equations.h"
 
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 #include <utility>
 
-#include "modelling/fit_bounds.h"
+#include "modelling/fit/fit_bounds.h"
 
 namespace hull::modelling {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "modelling/fit_curves.h"
+#include "modelling/fit/fit_curves.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "modelling/fit_rows.h"
+#include "modelling/fit/fit_rows.h"
 #include "surface/limit_surface.h"
 #include "surface/queries/surface_tree.h"
 

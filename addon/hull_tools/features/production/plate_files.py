@@ -10,9 +10,9 @@ from ....hull_io.bytes_on_disk import write_bytes
 from ...bridge import limits, native
 from ...bridge.background import jobs
 from ..conversion import conversions
+from ..exchange.endings import checked_ending
 from ..hull import hull_state
 from . import plate_marks, plate_rules
-from .endings import checked_ending
 
 # Knuckles in the centre plane that may have been meant to be none, rad; others are keels and stems.
 _SLIGHT = radians(10.0)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "modelling/fit_places.h"
+#include "modelling/fit/fit_places.h"
 
 #include <Eigen/Geometry>
 #include <array>

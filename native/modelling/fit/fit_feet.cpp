@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "modelling/fit_feet.h"
+#include "modelling/fit/fit_feet.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "analysis/fairness/cell_places.h"
-#include "modelling/fit_rows.h"
+#include "modelling/fit/fit_rows.h"
 #include "surface/parallel_for.h"
 #include "surface/queries/closest_point.h"
 

@@ -8,9 +8,9 @@ from ....hull_io.number_lists import numbers
 from ...bridge import native
 from ...bridge.background import jobs
 from ..conversion import conversions
+from ..exchange.endings import checked_ending
 from ..hull import hull_state
 from . import plate_marks, plate_rules
-from .endings import checked_ending
 from .plate_files import write_rows
 
 _NONE = "There are no frames yet: add a range under Frames"

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "modelling/fit.h"
+#include "modelling/fit/fit.h"
 
 namespace hull::modelling::fit_internal {
 

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "modelling/fit.h"
-#include "modelling/fit_equations.h"
+#include "modelling/fit/fit.h"
+#include "modelling/fit/fit_equations.h"
 #include "surface/pieces/piece_weights.h"
 #include "surface/queries/surface_tree.h"
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "modelling/pull_spread.h"
+#include "modelling/pull/pull_spread.h"
 #include "modelling/reshape/move_space.h"
 #include "surface/limit_surface.h"
 

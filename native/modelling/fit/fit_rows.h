@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "modelling/fit_equations.h"
+#include "modelling/fit/fit_equations.h"
 #include "surface/pieces/piece_weights.h"
 
 namespace hull::modelling::fit_internal {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "modelling/fit_rows.h"
+#include "modelling/fit/fit_rows.h"
 
 #include <cmath>
 

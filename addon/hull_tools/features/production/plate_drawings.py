@@ -3,7 +3,7 @@
 maps of stretch; tasks, as those of plate_files are."""
 
 from ...bridge import native
-from .endings import checked_ending
+from ..exchange.endings import checked_ending
 from .plate_files import PlateTask, chosen, plain_name, write_rows
 
 

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "modelling/fit.h"
+#include "modelling/fit/fit.h"
 #include "modelling/reshape/move_space.h"
 
 namespace hull::modelling {

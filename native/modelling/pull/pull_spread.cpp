@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "modelling/pull_spread.h"
+#include "modelling/pull/pull_spread.h"
 
 #include <Eigen/LU>
 #include <algorithm>

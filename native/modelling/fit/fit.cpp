@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "modelling/fit.h"
+#include "modelling/fit/fit.h"
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
 #include <stdexcept>
 
-#include "modelling/fit_bounds.h"
-#include "modelling/fit_checks.h"
-#include "modelling/fit_curves.h"
-#include "modelling/fit_feet.h"
-#include "modelling/fit_places.h"
+#include "modelling/fit/fit_bounds.h"
+#include "modelling/fit/fit_checks.h"
+#include "modelling/fit/fit_curves.h"
+#include "modelling/fit/fit_feet.h"
+#include "modelling/fit/fit_places.h"
 #include "modelling/thin_plate.h"
 
 namespace hull::modelling {

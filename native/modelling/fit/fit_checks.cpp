@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "modelling/fit_checks.h"
+#include "modelling/fit/fit_checks.h"
 
 #include <algorithm>
 #include <cmath>
