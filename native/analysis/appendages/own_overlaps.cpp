@@ -17,9 +17,10 @@ namespace {
 constexpr double kShared = 1e-9;
 constexpr double kSheet = 1e-6;
 constexpr double kTolerance = 1e-9;
-constexpr int kSamples = 4096;
-// Parts of lines of all pairs together, what some four seconds take, and what samples count for.
-constexpr int kMostPairParts = 24000000, kPartsOfSamples = 2000000;
+constexpr int kSamples = 1024;
+// Parts of lines of all pairs together, what some second and a half takes, and what samples count
+// for.
+constexpr int kMostPairParts = 6000000, kPartsOfSamples = 500000;
 
 using Box = Eigen::AlignedBox3d;
 
@@ -107,7 +108,7 @@ std::vector<OwnOverlap> own_overlaps(const HullBody& body) {
     if (parts_left < 0) return;
     const ClosedShell &a = members[i].shell, &b = members[j].shell;
     // So that one pair of many does not take it all.
-    int own_left = std::max(kPartsOfSamples, parts_left / 4);
+    int own_left = std::max(kPartsOfSamples, parts_left / 4 * 3);
     parts_left -= own_left;
     const std::optional<double> exact = exact_overlap(members[i], members[j], own_left);
     parts_left += std::max(own_left, 0);

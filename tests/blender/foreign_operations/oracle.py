@@ -11,6 +11,8 @@ from . import preview_oracle
 _INTEGRAL_TOLERANCE = 1e-7
 # Blender keeps corner normals as two angles of 16 bits.
 _NORMAL_TOLERANCE = 1e-3
+# The cosine between faces that lie on one another.
+_FOLD = -0.9999
 
 
 class Fresh:
@@ -176,6 +178,7 @@ def _of_normals(mesh, fresh):
     apart = np.abs(shown - wanted).max(axis=1)
     if apart[exact].max(initial=0.0) > _NORMAL_TOLERANCE:
         apart = np.minimum(apart, np.abs(shown - _as_kept(mesh, fresh.normals)).max(axis=1))
+        exact &= ~_beside_folds(mesh, fresh.quads)
     apart = apart[exact].max(initial=0.0)
     if apart > _NORMAL_TOLERANCE:
         return [f"normals shown are off by {apart}"]
@@ -183,15 +186,36 @@ def _of_normals(mesh, fresh):
     return []
 
 
+def _points_of(mesh):
+    points = np.empty((len(mesh.vertices), 3), dtype=np.float32)
+    mesh.vertices.foreach_get("co", points.reshape(-1))
+    return points
+
+
 def _beside_no_length(mesh, quads):
     """Which corners (4 q,) of faces (q, 4) are on a face with a side that has no length in single
     precision."""
-    points = np.empty((len(mesh.vertices), 3), dtype=np.float32)
-    mesh.vertices.foreach_get("co", points.reshape(-1))
+    points = _points_of(mesh)
     corners = points[quads]
     sides = np.linalg.norm(corners - np.roll(corners, 1, axis=1), axis=2)
     least = np.finfo(np.float32).eps * np.abs(points).max(initial=0.0)
     return np.repeat((sides <= least).any(axis=1), 4)
+
+
+def _beside_folds(mesh, quads):
+    """Which corners (4 q,) of faces (q, 4) are at an end of an edge along which the surface turns
+    right back. Blender's own normal there, to which it keeps ours, is the sum of two that cancel:
+    rounding in the order in which its threads come by, or none."""
+    corners = _points_of(mesh)[quads].astype(float)
+    normals = np.cross(corners[:, 2] - corners[:, 0], corners[:, 3] - corners[:, 1])
+    normals /= np.maximum(np.linalg.norm(normals, axis=1), np.finfo(float).tiny)[:, None]
+    edges = np.stack([quads, np.roll(quads, -1, axis=1)], axis=2).reshape(-1, 2)
+    edges.sort(axis=1)
+    order = np.lexsort(edges.T)
+    edges, faces = edges[order], order // 4
+    folds = (edges[1:] == edges[:-1]).all(axis=1)
+    folds &= (normals[faces[1:]] * normals[faces[:-1]]).sum(axis=1) < _FOLD
+    return np.isin(quads.reshape(-1), edges[1:][folds])
 
 
 def _as_kept(mesh, normals):
