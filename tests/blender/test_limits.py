@@ -5,6 +5,7 @@ comes at once, or as much as Blender can show."""
 import time
 
 import bpy
+import numpy as np
 import pytest
 from addon_under_test import part, state_of
 
@@ -103,6 +104,36 @@ def test_a_mesh_too_fine_for_its_surface_is_refused(hull):
     hull.data = control
     bpy.context.view_layer.update()
     assert not state_of(hull).status
+
+
+def sheet(squares, of_triangles):
+    """Control arrays of a half hull's side as a plane of squares² faces, or two triangles each."""
+    points = np.indices((squares + 1, squares + 1)).reshape(2, -1).T
+    points = np.column_stack([points[:, 0], np.ones(len(points)), points[:, 1]]).astype(float)
+    index = np.arange(len(points)).reshape(squares + 1, squares + 1)
+    corners = index[:-1, :-1], index[1:, :-1], index[1:, 1:], index[:-1, 1:]
+    faces = np.stack([corner.reshape(-1) for corner in corners], axis=1)
+    if of_triangles:
+        faces = faces[:, [0, 1, 2, 0, 2, 3]].reshape(-1, 3)
+    return points, faces
+
+
+@pytest.mark.parametrize("squares, of_triangles, refused", [
+    (155, False, False), (160, False, True), (75, True, False), (85, True, True)
+])  # fmt: skip
+def test_triangles_make_a_mesh_too_fine_sooner(hull, squares, of_triangles, refused):
+    """Half hulls of 24,025 and 25,600 squares, of 11,250 and 14,450 triangles."""
+    points, faces = sheet(squares, of_triangles)
+    mesh = bpy.data.meshes.new("sheet")
+    mesh.from_pydata(points.tolist(), [], faces.tolist())
+    arrays = part("bridge.mesh.mesh_arrays")
+    control = arrays.control_arrays(arrays.read_mesh(mesh), 1.0)
+    assert part("bridge.mesh.mesh_check").is_too_fine(control, True) == refused
+    if refused:
+        before, hull.data = hull.data, mesh
+        bpy.context.view_layer.update()
+        assert "too fine" in state_of(hull).status and "coarser" in state_of(hull).status
+        hull.data = before
 
 
 HYDROSTATICS = [

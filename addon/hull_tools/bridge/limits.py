@@ -17,8 +17,12 @@ GREATEST_HEEL = pi + _ROUNDING
 FASTEST = 100.0  # kn
 
 # Faces of a surface object, both sides. Blender takes 10 µs and 1.4 kB for each, most of it for the
-# normals of its corners, while the window waits. A control mesh whose surface has more is refused.
+# normals of its corners, while the window waits.
 MOST_SHOWN_FACES = 200_000
+# A control mesh is refused of which each change would take longer: its surface has one of these
+# faces at least for each corner of a face, and a cell beside an irregular point takes as long as
+# some more of them to be made and integrated.
+FACES_FOR_IRREGULAR_CELL = 3
 # While the hull may be another one at each step of the mouse: each face takes Blender 0.12 µs of
 # every step, and their exact normals half a second at a pause.
 MOST_MOVING_FACES = 50_000

@@ -70,21 +70,30 @@ def check_control_mesh(data, control, half):
 
 
 def is_too_fine(control, half):
-    """Whether not even the coarsest picture of the surface of a mesh could be shown: each corner of
-    a face is a cell of the surface, and a cell has a face at least."""
-    return _least_shown(control, half) > limits.MOST_SHOWN_FACES
+    """Whether a change of the mesh would keep the window waiting: each corner of a face is a cell
+    of the surface, and of a cell there is a face to be shown at least."""
+    shown, irregular = _least_shown(control, half)
+    return shown + limits.FACES_FOR_IRREGULAR_CELL * irregular > limits.MOST_SHOWN_FACES
 
 
 def _least_shown(control, half):
-    return len(control.face_vertices) * (1 + half)
+    """(faces that the surface has at least, how many of its cells are beside an irregular point:
+    in a face without four corners, or at a point without four faces, or two)."""
+    sizes = np.repeat(control.face_sizes, control.face_sizes)
+    faces = np.bincount(control.face_vertices)[control.face_vertices]
+    irregular = (sizes != 4) | ~np.isin(faces, (2, 4))
+    return len(control.face_vertices) * (1 + half), int(np.count_nonzero(irregular))
 
 
 def _size_errors(control, half):
     if not is_too_fine(control, half):
         return []
+    shown, irregular = _least_shown(control, half)
     message = (
-        f"The mesh is too fine: its surface would have {_least_shown(control, half)} faces, more "
-        f"than the {limits.MOST_SHOWN_FACES} that can be shown. Use a coarser one"
+        f"The mesh is too fine: its surface would have {shown} faces, {irregular} cells of it beside "
+        f"irregular points, each of which counts for {limits.FACES_FOR_IRREGULAR_CELL} more; "
+        f"{limits.MOST_SHOWN_FACES} can follow its points. Use a coarser one, of faces with four "
+        "corners"
     )
     return [Problem("error", "mesh", (), message)]
 
