@@ -79,8 +79,8 @@ def test_another_deviation_needs_no_other_preparation(monkeypatch):
         part("bridge.mesh.mesh_points").write(hull.data, np.arange(len(start)), start)
         reports.append(fairing.fair_selected(hull, scene, fairing.Asked(deviation)))
         assert reports[-1].rms == pytest.approx(deviation, rel=1e-6)
-        prepared.append(list(fairing._prepared.values()))
-    assert prepared[0] == prepared[1] == prepared[2] and len(prepared[0]) == 1
+        prepared.append(state_of(hull).of(fairing.Prepared).last[1:])
+    assert prepared[0] == prepared[1] == prepared[2] and len(prepared[0]) == 2
     assert len(counted) == 3  # as it was, and as it came to lie twice
     assert reports[2].before == reports[2].after == reports[0].before
     bpy.ops.object.mode_set(mode="OBJECT")

@@ -4,6 +4,8 @@
 What is selected stays in Blender's colours of what is selected.
 """
 
+import weakref
+
 import gpu
 import numpy as np
 
@@ -13,7 +15,7 @@ from .lines import batch_of_strokes
 from .view import Handler, hulls_in_view
 
 _WIDTH = 1.6  # dots: a little wider than Blender's own line, which it hides
-_batches = {}  # by the hull's name: (key of its geometry, GPUBatch)
+_batches = weakref.WeakKeyDictionary()  # by HullState: (key of its geometry, GPUBatch)
 
 
 def net_of(mesh):
@@ -42,16 +44,16 @@ def _draw():
         gpu.state.depth_test_set("NONE" if hull.show_in_front else "LESS_EQUAL")
         with gpu.matrix.push_pop():
             gpu.matrix.load_matrix(shown.to_view())
-            _batch_of(hull.name, shown.state, shader).draw(shader)
+            _batch_of(shown.state, shader).draw(shader)
         gpu.state.depth_test_set("NONE")
 
 
-def _batch_of(name, state, shader):
+def _batch_of(state, shader):
     key = state.ship.geometry_key
-    known = _batches.get(name)
+    known = _batches.get(state)
     if known is None or known[0] != key:
         known = key, batch_of_strokes(net_of(state.ship.surface.mesh), shader)
-        _batches[name] = known
+        _batches[state] = known
     return known[1]
 
 

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Networks of curves as arrays for the graphics card, kept until the network changes."""
 
+import weakref
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -39,7 +40,7 @@ class NetworkArrays:
     batches: dict = field(default_factory=dict)
 
 
-_known = {}  # by the network's name
+_known = weakref.WeakKeyDictionary()  # by NetworkState
 
 
 def of_network(network, state):
@@ -50,12 +51,12 @@ def of_network(network, state):
     # Of a curve in edit mode Blender shows points and handles, which nothing is to hide.
     edited = tuple(one.name for one in network.objects if one.mode == "EDIT")
     key = (state.revision, tuple(inks.items()), with_comb, edited, settings.comb_factor)
-    known = _known.get(network.name_full)
-    if known is None or known.key != (id(state), *key):
-        scale = known.comb_scale if known is not None and known.key[3] == with_comb else 0.0
+    known = _known.get(state)
+    if known is None or known.key != key:
+        scale = known.comb_scale if known is not None and known.key[2] == with_comb else 0.0
         known = _made(state, inks, with_comb, edited, settings.comb_factor, scale)
-        known.key = (id(state), *key)
-        _known[network.name_full] = known
+        known.key = key
+        _known[state] = known
     return known
 
 

@@ -26,8 +26,8 @@ _AREAS = ("VIEW_3D", "FILE_BROWSER")
 # Outcomes by their key: undo finds those of before, of whatever hull has the same surface.
 _KEPT = 4
 _recent = OrderedDict()
-_tasks = []  # that run, of all hulls
-_requested = set()  # names of hulls
+# That run, whatever becomes of their hulls: what comes of those that were deleted is kept for undo.
+_tasks = []
 
 
 @dataclass(frozen=True, eq=False)
@@ -42,10 +42,11 @@ class Outcome:
 @dataclass
 class OfHull:
     """What is converted or written of one hull, a task or None, and the Outcome of its last
-    conversion or None."""
+    conversion or None. is_requested: it is to be converted at the next pause."""
 
     task: object = None
     outcome: object = None
+    is_requested: bool = False
 
 
 class Conversion(jobs.JobTask):
@@ -187,7 +188,7 @@ def request(obj):
     settings that are changed beside it."""
     if bpy.app.background or not _is_due(obj):
         return
-    _requested.add(obj.name)
+    hull_state.state_of(obj).of(OfHull).is_requested = True
     _pause.start()
 
 
@@ -204,15 +205,13 @@ def _is_due(obj):
 
 
 def _begin_requested():
-    scene = bpy.context.scene
-    names = sorted(_requested)
-    _requested.clear()
-    for name in names:
-        obj = scene.objects.get(name)
-        if hull_objects.is_hull(obj) and _is_due(obj):
+    for obj, state in list(hull_state.known_hulls(bpy.context.view_layer)):
+        known = state.of(OfHull)
+        is_requested, known.is_requested = known.is_requested, False
+        if is_requested and hull_objects.is_hull(obj) and _is_due(obj):
             # Why a mesh has no surface is shown by the panel.
             with contextlib.suppress(ValueError):
-                begin(obj, scene)
+                begin(obj, bpy.context.scene)
 
 
 _looks = timers.Timer(_LOOK_SECONDS, _look)
@@ -225,5 +224,4 @@ def stop():
     _pause.stop()
     jobs.stop()
     _tasks.clear()
-    _requested.clear()
     _recent.clear()

@@ -24,7 +24,6 @@ from . import form_keeping, local_marks, marks_out, seen_marks
 
 # As hull_native.FairRegion names them, in capitals.
 ENERGIES = ("LENGTHWISE", "BLEND", "THIN_PLATE", "CURVATURE", "VARIATION")
-_prepared = {}  # the last one only, by its key
 
 
 @dataclass(frozen=True)
@@ -84,11 +83,20 @@ class LastFairing:
     report: object = None
 
 
+@dataclass
+class Prepared:
+    """What the last fairing of a hull was prepared with: (its key, hull_native.FairRegion,
+    local_marks.Around), or None."""
+
+    last: tuple = None
+
+
 class _Start:
     """A hull as it is before it is faired, and what is prepared for that."""
 
     def __init__(self, obj, scene, asked):
         self.asked, self.state = asked.checked(), hull_state.up_to_date(obj, scene)
+        self._kept = self.state.of(Prepared)  # here: `solve` may be in a thread
         self.scale = units.metres_per_unit(scene)
         self.found = hull_mesh.read(obj)
         self.control = self.found.control(self.scale)
@@ -126,7 +134,7 @@ class _Start:
             (asked.energy, asked.keep_stations, asked.keep_creases, asked.along_normals),
             self.keeping and self.keeping.key,
         )
-        if key not in _prepared:
+        if self._kept.last is None or self._kept.last[0] != key:
             region = native.require().FairRegion(
                 self.surface,
                 self.chosen,
@@ -138,9 +146,8 @@ class _Start:
                 **held.reshape_arguments(self.surface),
             )
             around = local_marks.Around(self.surface, self.control.points[self.chosen], self.size)
-            _prepared.clear()
-            _prepared[key] = region, around
-        return _prepared[key]
+            self._kept.last = key, region, around
+        return self._kept.last[1:]
 
     def solve(self, progress=None):
         """(hull_native.Faired, Marks before, Marks after, what kept numbers miss)."""

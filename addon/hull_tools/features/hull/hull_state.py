@@ -27,7 +27,7 @@ from .plausible import Plausible
 _states = {}
 
 
-@dataclass
+@dataclass(eq=False)
 class HullState:
     """Results of one hull, for panels to show.
 
@@ -210,12 +210,15 @@ def forget_shown():
 
 
 def forget_deleted():
-    """Forgets what is no hull any longer."""
+    """Forgets what is no hull any longer; those that were renamed are known by their new name."""
     if all(_is_there(address, state.name) for address, state in _states.items()):
         return
-    hulls = {obj.as_pointer() for obj in hull_objects.hulls(bpy.data.objects)}
-    for address in _states.keys() - hulls:
-        del _states[address]
+    names = {obj.as_pointer(): obj.name for obj in hull_objects.hulls(bpy.data.objects)}
+    for address in list(_states):
+        if address in names:
+            _states[address].name = names[address]
+        else:
+            del _states[address]
 
 
 def _is_there(address, name):
