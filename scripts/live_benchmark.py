@@ -44,7 +44,7 @@ STEPS = (
     ("features.constraints.flat_keeping", "keep", "flats kept"),
     ("features.fields.prepared", "of_hull", "fields: hull prepared"),
     ("features.fields.shaping", "solve", "fields: solved"),
-    ("features.fields.preview", "follow", "fields: preview, the rest"),
+    ("features.fields.preview", "placed", "fields: preview, the rest"),
     ("features.fields.before", "follow", "fields: hull of before"),
     ("features.fields.seen", "follow", "fields: bases and lines"),
     ("features.flotation.live_ship", "LiveShip.follow", "surface and body moved"),
@@ -72,6 +72,7 @@ DRAWN = (
     ("tags", "_handler"),
     ("legend", "_handler"),
     ("spots", "_handler"),
+    ("plots", "_handler"),
     ("morph_pairs", "_handler"),
     ("status", "_handler"),
 )
@@ -129,10 +130,6 @@ class Benchmark:
             handler.unregister()
             handler._draw = self.clock.timed(self._profiled(handler._draw), f"drawing {name}")
             handler.register()
-        plots = part("overlays.plots")
-        plots.unregister()
-        plots._draw = self.clock.timed(self._profiled(plots._draw), "drawing plots")
-        plots.register()
 
     def _profiled(self, function):
         if not self.options.profile:

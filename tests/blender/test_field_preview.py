@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The preview of shape fields: the hull follows each change, and comes back bit by bit."""
 
+import bmesh
 import bpy
 import numpy as np
 import pytest
@@ -69,6 +70,47 @@ def test_it_follows_points_that_are_kept_meanwhile(plane):
     assert not preview_oracle.differences(hull, bpy.context.scene)
     assert (plane == "BUTTOCK") == (not np.allclose(points_of(hull), shift, 0.0, 1e-3))
     bpy.ops.hull.cancel_fields()
+
+
+def test_each_change_is_followed_once(monkeypatch):
+    """The points go first: nothing is computed of them as they were before."""
+    live_ship, followed = part("features.flotation.live_ship").LiveShip, []
+    follow = live_ship.follow
+
+    def following(self, found, *arguments):
+        followed.append(found.points_digest)
+        return follow(self, found, *arguments)
+
+    hull, field, before = previewed()
+    monkeypatch.setattr(live_ship, "follow", following)
+    for falloff in (0.4, 0.6):
+        field.falloff = falloff
+        changed()
+        assert len(followed) == 1
+        assert followed.pop() == part("bridge.objects.hull_mesh").read(hull).points_digest
+    hull.hull.fields.fields.clear()
+    hull.update_tag(refresh={"DATA"})
+    changed()
+    assert len(followed) == 1 and np.array_equal(points_of(hull), before)
+    assert not hull.hull.fields.is_previewed
+
+
+def test_a_point_that_was_put_back_is_not_moved_by_something_else():
+    """What holds points is put into effect before it is asked whether they are as shown."""
+    hull, field, _ = previewed()
+    assert hull.hull.half and hull.hull.keep_centre
+    moved = points_of(hull)
+    bm = edit(hull)
+    point = next(vertex for vertex in bm.verts if vertex.co.y == 0.0)
+    point.co.y += 0.5
+    bmesh.update_edit_mesh(hull.data)
+    changed()
+    assert shown(hull).problem == ""
+    bpy.ops.object.mode_set(mode="OBJECT")
+    assert np.array_equal(points_of(hull), moved)
+    field.falloff = 0.4
+    changed()
+    assert shown(hull).problem == "" and not np.array_equal(points_of(hull), moved)
 
 
 def test_normals_wait_while_fields_change(monkeypatch):

@@ -49,16 +49,18 @@ def _follow(hulls, scene, view_layer, is_by_hand=True):
 
 
 def _follow_one(hull, scene, is_by_hand):
+    """In the order of the data; see docs/architecture.md."""
     members.follow(hull, scene)
-    state = hull_state.follow_edit(hull, scene, is_by_hand, late_joining.can_wait(hull))
-    if state.ship.waits:
-        late_joining.ask()
     with curve_lines.read_once():
-        preview.follow(hull, scene)
+        state = hull_state.follow_edit(
+            hull, scene, is_by_hand, late_joining.can_wait(hull), preview.placed
+        )
         before.follow(hull, scene)
         seen.follow(hull, scene)
     pair_lines.follow(hull, scene)
     live_target.follow(hull, scene)
+    if state.ship.waits:
+        late_joining.ask()
     if state.shown.may_move(hull):
         live_normals.ask()
 

@@ -1,6 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A hull shown as its shape fields make it while they are changed: surface, lines and numbers
-follow as they do when points are moved. Where the points were is kept with the mesh."""
+follow as they do when points are moved. Where the points were is kept with the mesh.
+
+`placed` moves the points before anything is computed of them, but after what holds them was put
+into effect: only then it is seen whether something else has moved them.
+"""
 
 from dataclasses import dataclass, replace
 
@@ -74,29 +78,35 @@ def take_up(obj):
 
 
 def follow(obj, scene):
-    """Brings the mesh of a hull that is previewed up to date with its fields, where they changed.
-    What cannot be leaves it as it is, with a problem."""
+    """Brings a hull that is previewed up to date with its fields."""
+    if obj.hull.fields.is_previewed:
+        hull_state.follow_edit(obj, scene, is_by_hand=False, placed=placed)
+
+
+def placed(obj, scene, found, keep):
+    """For hull_state.follow_edit: has the points of a hull that is previewed go where its fields,
+    where they changed, take them. What cannot be leaves them as they are, with a problem."""
     preview = of_hull(obj)
     if preview is None or hull_objects.locked(obj):
-        return
+        return found
     start = start_points.read(obj.data)
     if start is None:  # the mesh is another one now
-        _switch_off(obj, scene)
-        return
+        obj.hull.fields.is_previewed = False
+        return found
     if not obj.hull.fields.fields:  # nothing is left to be previewed
-        end(obj, scene, is_kept=not _is_as_shown(obj))
-        return
+        _end(obj, is_kept=not start_points.are_as_shown(obj.data, found.data.points))
+        return keep()
     other = _also_previewed(obj)
     if other is not None:
         preview.put_off(_SHARED.format(other.name), waits=True)
-        return
-    found, scale = hull_mesh.read(obj), units.metres_per_unit(scene)
+        return found
     if not start_points.are_as_shown(obj.data, found.data.points):
         preview.put_off(_FOREIGN)
-        return
+        return found
+    scale = units.metres_per_unit(scene)
     key = (_values(obj), start.tobytes(), found.topology_key, scale, _held(obj))
     if (preview.key, preview.shown) == (key, found.points_digest):
-        return
+        return found
     preview.key, preview.shown = key, found.points_digest
     preview.problem, preview.waits = "", False
     try:
@@ -105,24 +115,33 @@ def follow(obj, scene):
         known, preview.own = preview.own, None
         preview.own = prepared.of_hull(obj, at_start, scale, known)
         preview.applied = _solved(obj, preview.own)
-        _show(obj, scene, start, preview)
     except ValueError as error:
         preview.problem = str(error)
+        return found
+    return _shown(obj, start, preview, keep)
 
 
 def end(obj, scene, is_kept):
     """Ends the preview; is_kept: the hull stays as it is shown, else all its points are where they
     were before, bit by bit. ValueError where points were changed by something else since then and
     would be lost."""
-    start, found = start_points.read(obj.data), hull_mesh.read(obj)
+    if not is_kept and start_points.read(obj.data) is not None and not _is_as_shown(obj):
+        raise ValueError(_FOREIGN)
+    for hull in _end(obj, is_kept):
+        hull_state.follow_edit(hull, scene, is_by_hand=False)
+
+
+def _end(obj, is_kept):
+    """Returns the hulls that are not previewed any longer."""
+    start, hulls = start_points.read(obj.data), [obj]
     if start is not None and not is_kept:
-        if not start_points.are_as_shown(obj.data, found.data.points):
-            raise ValueError(_FOREIGN)
         mesh_points.write(obj.data, np.arange(len(start)), start)
     start_points.forget(obj.data)
-    _switch_off(obj, scene)
+    obj.hull.fields.is_previewed = False
     while (other := _also_previewed(obj)) is not None:  # which waited, and has no start now
-        _switch_off(other, scene)
+        other.hull.fields.is_previewed = False
+        hulls.append(other)
+    return hulls
 
 
 def _solved(obj, own):
@@ -133,27 +152,22 @@ def _solved(obj, own):
     return shaping.solve(obj, rows, own)
 
 
-def _show(obj, scene, start, preview):
+def _shown(obj, start, preview, keep):
+    """The HullMesh with its points where the fields take them, as far as what holds them lets."""
     points = start.astype(np.float64)
     if preview.applied is not None:
         which, places = shaping.moved_points(preview.applied.result.moves, preview.own)
         points[which] = places
     mesh_points.write(obj.data, np.arange(len(points)), points)
-    hull_state.follow_edit(obj, scene, is_by_hand=False)
-    found = hull_mesh.read(obj)
+    found = keep()
     preview.shown = found.points_digest
     start_points.set_shown(obj.data, found.data.points)
+    return found
 
 
 def _switch_on(obj):
     obj.hull.fields.is_previewed = True
     of_hull(obj).key = None  # of a preview before, which showed the same
-
-
-def _switch_off(obj, scene):
-    """What waited for the end of the preview follows."""
-    obj.hull.fields.is_previewed = False
-    hull_state.follow_edit(obj, scene, is_by_hand=False)
 
 
 def _is_as_shown(obj):

@@ -77,13 +77,23 @@ def known_hulls(view_layer):
             yield obj, state
 
 
-def follow_edit(obj, scene, is_by_hand=True, may_wait=False):
+def follow_edit(obj, scene, is_by_hand=True, may_wait=False, placed=None):
     """After points of a hull were moved: what holds them is put into effect in its mesh, then all
     is brought up to date; returns the HullState. is_by_hand: see constraints.keeping; may_wait: see
-    LiveShip.follow."""
-    return _brought_up_to_date(
-        obj, scene, lambda state: state.keeping.keep(obj, state.ship, is_by_hand), may_wait
-    )
+    LiveShip.follow.
+
+    placed(obj, scene, found, keep) has points go elsewhere once they are where they may be, and
+    returns the hull_mesh.HullMesh then: `found` is that of now, keep() that after others have moved
+    points. So all that follows is computed once, of points that stay.
+    """
+
+    def read(state):
+        found = state.keeping.keep(obj, state.ship, is_by_hand)
+        if placed is None:
+            return found
+        return placed(obj, scene, found, lambda: state.keeping.keep(obj, state.ship, False))
+
+    return _brought_up_to_date(obj, scene, read, may_wait)
 
 
 def refresh(obj, scene):
