@@ -291,7 +291,7 @@ def _area_curve(window):
     handles = part("features.area_curves.handles")
 
     def shown():
-        return handles.diagram(hull, bpy.context.scene, window.area)
+        return handles.diagram(hull, bpy.context.scene, window.area, window.region())
 
     yield lambda: shown() is not None
     with window.in_view():

@@ -146,12 +146,10 @@ def test_what_came_too_late_is_shown_as_out_of_date(gate):
     move(hull, 0.5)
     gate.set()
     take_finished()
-    overlay = part("overlays.plots")
-    overlay.follow()
-    assert len(overlay.shown_arrays()) == 1 and overlay.shown_outdated() == {0}
+    live = part("features.analyses.live_analyses")
+    assert [one.is_current for one in live.plots().shown] == [False]
     compute([(hull.name, NAME)])
-    overlay.follow()
-    assert len(overlay.shown_arrays()) == 1 and overlay.shown_outdated() == set()
+    assert [one.is_current for one in live.plots().shown] == [True]
 
 
 def test_a_hull_deleted_meanwhile_is_no_matter(gate):

@@ -187,7 +187,7 @@ def test_while_points_move_the_colours_wait_for_the_pause():
     bm = edit(hull)
     before, counted = shown.distances, []
     following = part("features.variants.following")
-    ask, following.ask = following.ask, lambda: counted.append(1)
+    ask, following.ask = following.ask, lambda after: counted.append(1)
     try:
         for vertex in bm.verts:
             vertex.co.y *= 1.1

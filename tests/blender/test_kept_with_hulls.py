@@ -80,6 +80,43 @@ def test_a_conversion_asked_for_is_of_the_hull_whatever_its_name(monkeypatch):
     assert begun == [hulls[0]]
 
 
+def test_what_is_on_its_way_of_a_hull_is_asked_for_once(monkeypatch):
+    worker, begun = part("bridge.background.worker"), []
+    gates = [SimpleNamespace(cancel=lambda: False, done=lambda: False) for _ in range(3)]
+
+    def submit(work):
+        begun.append(work)
+        return gates[len(begun) - 1]
+
+    monkeypatch.setattr(worker, "_queue", SimpleNamespace(submit=submit))
+    monkeypatch.setattr(worker, "_jobs", [])
+    for key in ("a", "a", "b", "b", "a"):
+        worker.ask("levers", key, key)
+    assert begun == ["a", "b", "a"]
+
+
+def test_ghosts_wait_for_the_pause_of_a_timer(monkeypatch):
+    """Of which each change begins anew; what goes by them comes after."""
+    following, timers = part("features.variants.following"), part("bridge.background.timers")
+    app = SimpleNamespace(background=False, timers=bpy.app.timers)
+    for module in (following, timers):
+        monkeypatch.setattr(module, "bpy", SimpleNamespace(app=app, context=bpy.context))
+    done, is_another = [], [True]
+    monkeypatch.setattr(following, "_follow_all", lambda: done.append("ghosts") or is_another[0])
+    try:
+        following.ask(lambda: done.append("plots"))
+        following.ask(lambda: done.append("plots of now"))
+        assert following._pause.is_running() and not done
+        assert following._pause._called() is None
+        assert done == ["ghosts", "plots of now"]
+        is_another[0] = False
+        following._pause._called()
+        assert done == ["ghosts", "plots of now", "ghosts"]
+    finally:
+        following.stop()
+    assert not following._pause.is_running()
+
+
 def test_what_fairing_prepared_is_kept_of_each_hull():
     fairing = part("features.fairing.region_fairing")
     hulls = [add_hull("one"), add_hull("other")]

@@ -1,15 +1,21 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Plots over the 3D view: those of the active hull, as its switches and its shape say."""
 
+from types import SimpleNamespace
+
 import addon_utils
 import bpy
 import pytest
 from addon_under_test import add_hull, compute, make_active, module_name, part, state_of
 
 
+def live():
+    return part("features.analyses.live_analyses")
+
+
 def shown():
-    part("overlays.plots").follow()  # as at each drawing
-    return part("overlays.plots").shown_arrays()
+    """The plot_layout.Card of each plot that views show."""
+    return [one.card for one in live().plots().shown]
 
 
 def with_plot(name="sectional_areas"):
@@ -28,7 +34,7 @@ def nothing_shown():
 def test_a_switch_shows_a_plot_and_hides_it():
     hull = with_plot()
     assert len(shown()) == 1
-    texts = {label["text"] for label in shown()[0].labels}
+    texts = {label["text"] for label in shown()[0].sheet.labels}
     assert "Sectional area curve" in texts
     hull.hull.plots.sectional_areas = False
     bpy.context.view_layer.update()
@@ -96,6 +102,46 @@ def test_an_addon_that_is_off_shows_none():
     finally:
         addon_utils.enable(name, default_set=True)
     bpy.context.view_layer.update()
+
+
+def test_a_plot_is_laid_out_anew_only_when_something_changed():
+    hull = with_plot()
+    (first,) = shown()
+    hull.update_tag(refresh={"DATA"})
+    bpy.context.view_layer.update()
+    assert shown() == [first]
+    hull.hull.plots.size = 1.5
+    bpy.context.view_layer.update()
+    (larger,) = shown()
+    assert larger is not first and larger.width_mm == pytest.approx(1.5 * 125.0)
+    hull.hull.plots.corner = "TOP_RIGHT"
+    bpy.context.view_layer.update()
+    assert live().plots().corner == "TOP_RIGHT"
+
+
+def test_each_hull_keeps_its_own_plots():
+    hulls = [with_plot(), with_plot()]
+    (second,) = shown()
+    for hull, is_second in zip(hulls * 2, (False, True) * 2):
+        make_active(hull)
+        hull.update_tag(refresh={"DATA"})
+        bpy.context.view_layer.update()
+        assert (shown() == [second]) == is_second
+
+
+def test_places_are_told_without_drawing():
+    """Those who work in a plot with the mouse need nobody to have drawn it, and drawing keeps
+    nothing."""
+    with_plot()
+    region = SimpleNamespace(type="WINDOW", x=0, y=0, width=1400, height=900)
+    overlay = SimpleNamespace(show_text=False, show_overlays=True)
+    spaces = SimpleNamespace(active=SimpleNamespace(overlay=overlay))
+    area = SimpleNamespace(regions=[region], spaces=spaces)
+    place = live().place_of("sectional_areas", area, region)
+    assert [place] == live().places(area, region) and place.card is shown()[0]
+    assert live().place_of("cross_curves", area, region) is None
+    overlay.show_overlays = False
+    assert live().place_of("sectional_areas", area, region) is None
 
 
 def test_what_was_missed_for_a_pause_is_computed(monkeypatch):

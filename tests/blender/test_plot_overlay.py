@@ -4,17 +4,18 @@
 import math
 from types import SimpleNamespace
 
-import addon_utils
 import numpy as np
 import pytest
-from addon_under_test import module_name, part
+from addon_under_test import part
 
 
-@pytest.fixture
-def overlay():
-    plots = part("overlays.plots")
-    yield plots
-    plots.hide()
+def layout():
+    return part("features.analyses.plot_layout")
+
+
+def arrays_of(plot, placement=None):
+    card = layout().card_of(plot, placement or layout().Placement())
+    return part("overlays.plot_arrays").arrays_of(card)
 
 
 def levers(top=1.0):
@@ -25,11 +26,10 @@ def levers(top=1.0):
     return hn.righting_lever_plot(heel, gz, gm=2.0 * top, areas=areas, deck_edge=0.4)
 
 
-def test_arrays_are_on_the_card(overlay):
-    overlay.show([levers()])
-    (arrays,) = overlay.shown_arrays()
+def test_arrays_are_on_the_card():
+    arrays = arrays_of(levers())
     size = (arrays.width_mm, arrays.height_mm)
-    assert size == (overlay.Placement().width_mm, overlay.Placement().height_mm)
+    assert size == (layout().Placement().width_mm, layout().Placement().height_mm)
     drawn = [*arrays.segments, arrays.areas, arrays.patches]
     for one in drawn:
         assert one.points.shape == (len(one.colours), 2) and one.colours.shape[1] == 4
@@ -39,11 +39,10 @@ def test_arrays_are_on_the_card(overlay):
     assert {"Heel φ [°]", "Righting lever GZ [m]"} <= {label["text"] for label in arrays.labels}
 
 
-def test_triangles_cover_the_shaded_area(overlay):
+def test_triangles_cover_the_shaded_area():
     hn = part("bridge.native").require()
     sheet = hn.lay_out_plot(levers(), width_mm=125.0, height_mm=88.0, margin_mm=3.0)
-    overlay.show([levers()])
-    corners = overlay.shown_arrays()[0].areas.points.reshape(-1, 3, 2).astype(float)
+    corners = arrays_of(levers()).areas.points.reshape(-1, 3, 2).astype(float)
     sides = corners[:, 1:] - corners[:, :1]
     covered = 0.5 * np.abs(np.linalg.det(sides)).sum()
     x, y = sheet.areas[0][0].T
@@ -60,34 +59,24 @@ def test_dashes_are_as_long_as_the_pen_says():
     assert all(a[1] == b[1] == 0.0 or a[0] == b[0] == 7.0 for a, b in pairs)
 
 
-def test_arrays_are_made_only_when_something_changed(overlay):
-    overlay.show([levers()])
-    first = overlay.shown_arrays()[0]
-    overlay.show([levers()])
-    assert overlay.shown_arrays()[0] is first
-    overlay.show([levers(top=2.0)])
-    assert overlay.shown_arrays()[0] is not first
-    overlay.show([levers(top=2.0)], overlay.Placement("TOP_RIGHT", 150.0, 100.0))
-    assert overlay.shown_arrays()[0].width_mm == 150.0
-    overlay.hide()
-    assert overlay.shown_arrays() == ()
+def test_cards_are_as_large_as_is_said():
+    placement = layout().Placement.sized("TOP_RIGHT", 1.2)
+    arrays = arrays_of(levers(), placement)
+    assert (arrays.width_mm, arrays.height_mm) == (1.2 * 125.0, 1.2 * 88.0)
 
 
-def test_what_cannot_be_shown_leaves_what_is(overlay):
-    overlay.show([levers()])
-    first = overlay.shown_arrays()[0]
+def test_what_cannot_be_laid_out_is_refused():
     with pytest.raises(ValueError):
-        overlay.show([levers()], overlay.Placement("TOP_LEFT", 20.0, 20.0))
-    assert overlay.shown_arrays()[0] is first
+        arrays_of(levers(), layout().Placement("TOP_LEFT", 20.0, 20.0))
     with pytest.raises(ValueError, match="corner"):
-        overlay.Placement("MIDDLE")
+        layout().Placement("MIDDLE")
 
 
 @pytest.mark.parametrize("corner", ["BOTTOM_LEFT", "BOTTOM_RIGHT", "TOP_LEFT", "TOP_RIGHT"])
 @pytest.mark.parametrize("count", [1, 2, 5])
-def test_cards_stand_apart_within_the_room(overlay, corner, count):
+def test_cards_stand_apart_within_the_room(corner, count):
     left, bottom, width, height = room = (50.0, 10.0, 1000.0, 700.0)
-    places, factor = overlay.card_places([(400.0, 300.0)] * count, corner, room, 12.0)
+    places, factor = layout().in_room([(400.0, 300.0)] * count, corner, room, 12.0)
     assert len(places) == count and 0.2 <= factor <= 1.0
     w, h = 400.0 * factor, 300.0 * factor
     for i, (x, y) in enumerate(places):
@@ -96,19 +85,47 @@ def test_cards_stand_apart_within_the_room(overlay, corner, count):
 
 
 @pytest.mark.parametrize("is_shown", [True, False])
-def test_blenders_texts_at_the_top_keep_their_room(overlay, is_shown):
-    context = SimpleNamespace(
-        space_data=SimpleNamespace(overlay=SimpleNamespace(show_text=is_shown)),
-        preferences=SimpleNamespace(system=SimpleNamespace(ui_scale=2.0)),
+def space(show_text=False, show_overlays=True):
+    return SimpleNamespace(
+        overlay=SimpleNamespace(show_text=show_text, show_overlays=show_overlays)
     )
-    left, bottom, width, height = overlay.below_texts((5.0, 10.0, 300.0, 200.0), context)
+
+
+@pytest.mark.parametrize("is_shown", [True, False])
+def test_blenders_texts_at_the_top_keep_their_room(is_shown):
+    below_texts, view = part("bridge.blender.view_room").below_texts, space(is_shown)
+    left, bottom, width, height = below_texts((5.0, 10.0, 300.0, 200.0), view, 2.0)
     assert (left, bottom, width) == (5.0, 10.0, 300.0)
     assert height == (200.0 - 2.0 * 56.0 if is_shown else 200.0)
-    assert overlay.below_texts((0.0, 0.0, 300.0, 20.0), context)[3] >= 0.0
+    assert below_texts((0.0, 0.0, 300.0, 20.0), view, 2.0)[3] >= 0.0
 
 
-def test_disabling_the_addon_takes_the_plots_away(overlay):
-    overlay.show([levers()])
-    addon_utils.disable(module_name())
-    assert overlay.shown_arrays() == ()
-    addon_utils.enable(module_name(), default_set=True)
+def view(show_overlays=True):
+    """(area, region) of a 3D view with a toolbar, as far as places go by it."""
+    region = SimpleNamespace(type="WINDOW", x=100, y=50, width=1600, height=900)
+    tools = SimpleNamespace(type="TOOLS", x=100, y=50, width=60, height=900)
+    spaces = SimpleNamespace(active=space(show_overlays=show_overlays))
+    return SimpleNamespace(regions=[region, tools], spaces=spaces), region
+
+
+def test_places_follow_from_view_and_cards_alone():
+    """Whoever asks, and whether anything was drawn: the rectangle between the axes is in the card,
+    where the sheet has it."""
+    cards = [layout().card_of(levers(top), layout().Placement()) for top in (1.0, 2.0)]
+    found = layout().places_of(cards, "BOTTOM_LEFT", *view(), 1.25)
+    assert found == layout().places_of(cards, "BOTTOM_LEFT", *view(), 1.25)
+    assert [place.card for place in found] == cards
+    for place in found:
+        left, bottom, right, top = place.rectangle
+        assert left > 60.0 and right < 1600.0 and bottom > 0.0 and top < 900.0
+        assert right - left == pytest.approx(125.0 * place.dots)
+        assert top - bottom == pytest.approx(88.0 * place.dots)
+        inner = np.array(place.diagram)
+        in_mm = (inner - (left, top, left, top)) / place.dots * (1.0, -1.0, 1.0, -1.0)
+        assert np.allclose(in_mm[[0, 3, 2, 1]], place.card.sheet.diagram)
+    larger = layout().places_of(cards[:1], "BOTTOM_LEFT", *view(), 1.25, 1.1)
+    assert larger[0].dots == pytest.approx(1.1 * found[0].dots)
+    assert found[0].dots == pytest.approx(4.4 * 1.25)
+    assert found[0].rectangle[2] < found[1].rectangle[0]
+    assert layout().places_of(cards, "BOTTOM_LEFT", *view(show_overlays=False), 1.25) == []
+    assert layout().places_of([], "BOTTOM_LEFT", *view(), 1.25) == []

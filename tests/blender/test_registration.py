@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Enabling and disabling the add-on, again and again, leaves nothing behind."""
 
+from types import SimpleNamespace
+
 import addon_utils
 import bpy
 import pytest
@@ -68,15 +70,20 @@ def test_a_hull_survives_the_addon_being_off(addon):
     assert bpy.ops.hull.update() == {"FINISHED"}
 
 
-def test_hulls_that_are_open_when_the_addon_is_enabled_are_shown(addon):
+def test_hulls_that_are_open_when_the_addon_is_enabled_are_shown(addon, monkeypatch):
     name = add_hull().name
     addon_utils.disable(addon)
     bpy.data.objects[name].data.vertices[0].co.x -= 1.0
+    # As with a window: without one no timer runs, and none is begun.
+    app = SimpleNamespace(background=False, timers=bpy.app.timers, handlers=bpy.app.handlers)
+    for name_of_module in ("bridge.background.timers", "handlers"):
+        monkeypatch.setattr(part(name_of_module), "bpy", SimpleNamespace(app=app))
     addon_utils.enable(addon, default_set=True)
-    begin = part("handlers")._begin
-    assert bpy.app.timers.is_registered(begin)
+    beginning = part("handlers")._beginning()
+    assert beginning.is_running()
     assert state_of(bpy.data.objects[name]) is None
-    begin()  # the window's event loop calls it
+    beginning._called()  # the window's event loop calls it
+    beginning.stop()
     hull = bpy.data.objects[name]
     assert state_of(hull).ship.surface is not None
     assert mesh_points(hull.hull.surface_object)[:, 0].min() == -1.0

@@ -21,7 +21,8 @@ def begin(window):
 
 def shown(window):
     handles = part("features.area_curves.handles")
-    return handles.diagram(hull_at_hand(), bpy.context.scene, window.area)
+    region = window.region()
+    return handles.diagram(hull_at_hand(), bpy.context.scene, window.area, region)
 
 
 def drag(window, index, right, up):
@@ -59,7 +60,7 @@ def test_a_handle_is_dragged_and_taken_back(window):
     curve = part("features.area_curves.live_target").known(hull).curve
     assert np.abs(curve.areas - now[:, 1]).max() < 1e-5
     (plot,) = part("features.analyses.live_analyses").plots().shown
-    assert plot.plot.curve_names == ["Sectional area", "Target"]
+    assert plot.card.plot.curve_names == ["Sectional area", "Target"]
     window.press("RET")
     yield
     assert np.array_equal(values(hull), now)

@@ -1,8 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What happens by itself: the one place that registers handlers."""
 
+from functools import cache
+
 import bpy
 
+from ..bridge.background import timers
 from ..bridge.objects import surface_upkeep
 from . import follow, upkeep_handlers
 
@@ -31,15 +34,21 @@ def _begin():
     upkeep_handlers.after_load()
 
 
+@cache
+def _beginning():
+    """While enabling, data are out of reach: it begins right after."""
+    return timers.Timer(0.0, _begin)
+
+
 def register():
     for name, handler in _HANDLERS:
         getattr(bpy.app.handlers, name).append(handler)
-    bpy.app.timers.register(_begin, first_interval=0.0)  # while enabling, data are out of reach
+    if not bpy.app.background:  # where no timer runs, nothing is loaded for one
+        _beginning().start()
 
 
 def unregister():
-    if bpy.app.timers.is_registered(_begin):
-        bpy.app.timers.unregister(_begin)
+    _beginning().stop()
     for name, handler in _HANDLERS:
         getattr(bpy.app.handlers, name).remove(handler)
     follow.forget_all()

@@ -22,6 +22,7 @@ _is_following = False
 
 def forget_all():
     live_analyses.stop()
+    following.stop()
     live_normals.stop()
     late_joining.stop()
     studio.stop()
@@ -42,7 +43,7 @@ def _follow(hulls, scene, view_layer, is_by_hand=True):
         for hull in hull_state.with_shared_mesh(hulls, view_layer):
             hull_state.refresh(hull, scene)
         studio.ask(hulls, scene)
-        following.ask()
+        following.ask(live_analyses.show_plots_of_active)
         live_analyses.show_plots(hull_objects.hull_of(view_layer.objects.active), scene)
     finally:
         _is_following = False

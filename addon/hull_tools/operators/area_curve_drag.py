@@ -57,7 +57,7 @@ class HULL_OT_drag_area_curve(bpy.types.Operator, ViewDrag, HullOperator):
             has_changed = self._is_new or self._drag.has_changed
             self._leave(context)
             return {"FINISHED"} if has_changed else {"CANCELLED"}
-        shown = handles.diagram(self._drag.obj, context.scene, self._area)
+        shown = handles.diagram(self._drag.obj, context.scene, self._area, self._region())
         if shown is not None and self._work(context, event, shown):
             return {"RUNNING_MODAL"}
         return self._rest(event)

@@ -25,7 +25,7 @@ def _draw():
         return
     if not settings.area_target.show_target:
         return
-    shown = handles.diagram(hull, context.scene, context.area)
+    shown = handles.diagram(hull, context.scene, context.area, context.region)
     if shown is None:
         return
     held, scale = handles.held(hull), context.preferences.system.ui_scale

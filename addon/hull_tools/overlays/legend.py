@@ -6,13 +6,12 @@ import bpy
 import gpu
 from gpu_extras.batch import batch_for_shader
 
-from ..bridge.blender import blender_versions
+from ..bridge.blender import blender_versions, view_room
 from ..bridge.blender.palette import INK, PAPER
 from ..bridge.objects import hull_objects
 from ..features.hull import hull_state
 from ..features.surface import colours
 from . import legend_arrays
-from .plots import DOTS_PER_MM, below_texts, free_room
 from .view import Handler
 
 _FONT = 0
@@ -48,15 +47,16 @@ def _draw():
 def _draw_legend(context, arrays, is_low):
     """LegendArrays where no plot is: at the bottom if `is_low`, else below the texts at the top."""
     scale = context.preferences.system.ui_scale
-    dots = DOTS_PER_MM * scale
-    room = free_room(context.area, context.region)
+    dots = view_room.DOTS_PER_MM * scale
+    room = view_room.free_room(context.area, context.region)
     left, bottom, _, height = room
     dots *= min(1.0, height / ((legend_arrays.HEIGHT_MM + 8.0) * dots))
     blf.size(_FONT, _TEXT_MM * dots)
     widest = max((_width(text) for _, text in arrays.labels), default=0.0)
     width = arrays.card_width_mm(_width(arrays.title) / dots, widest / dots)
     x = left + _GAP * scale
-    highest = max(below_texts(room, context)[3] - legend_arrays.HEIGHT_MM * dots, 0.0)
+    below = view_room.below_texts(room, context.space_data, scale)
+    highest = max(below[3] - legend_arrays.HEIGHT_MM * dots, 0.0)
     y = bottom + (_GAP * scale if is_low else highest)
     shader = blender_versions.builtin_shader("SMOOTH_COLOR")
     gpu.state.blend_set("ALPHA")

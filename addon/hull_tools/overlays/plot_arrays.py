@@ -7,10 +7,6 @@ from dataclasses import dataclass, field
 import numpy as np
 from mathutils.geometry import tessellate_polygon
 
-from ..bridge import native
-
-MARGIN_MM = 3.0
-
 
 @dataclass(frozen=True)
 class Segments:
@@ -31,7 +27,7 @@ class Triangles:
 
 @dataclass
 class PlotArrays:
-    """A plot to be drawn in this order; labels and diagram as in hull_native.PlotSheet."""
+    """A plot to be drawn in this order; labels as in hull_native.PlotSheet."""
 
     width_mm: float
     height_mm: float
@@ -39,26 +35,22 @@ class PlotArrays:
     segments: list = field(default_factory=list)
     patches: Triangles = None
     labels: list = field(default_factory=list)
-    diagram: tuple = ()
 
 
-def arrays_of(plot, width_mm, height_mm):
-    """The arrays of a hull_native.Plot on a card of this size; ValueError as lay_out_plot."""
-    sheet = native.require().lay_out_plot(
-        plot, width_mm=width_mm, height_mm=height_mm, margin_mm=MARGIN_MM
-    )
+def arrays_of(card):
+    """The arrays of a features.analyses.plot_layout.Card."""
+    sheet = card.sheet
     by_width = {}
     for points, colour, width, dashes in sheet.strokes:
         pairs = _dashed(points, dashes) if dashes else _pairs(points)
         by_width.setdefault(width, []).append((pairs, colour))
     return PlotArrays(
-        width_mm,
-        height_mm,
+        card.width_mm,
+        card.height_mm,
         _triangles(sheet.areas),
         [Segments(width, *_joined(parts)) for width, parts in sorted(by_width.items())],
         _triangles(sheet.patches),
         sheet.labels,
-        sheet.diagram,
     )
 
 

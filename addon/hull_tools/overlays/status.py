@@ -5,10 +5,10 @@ the surface is that of before."""
 import bpy
 import gpu
 
+from ..bridge.blender import view_room
 from ..bridge.objects import hull_objects
 from ..features.hull import hull_state
 from . import shapes
-from .plots import free_room
 from .view import Handler
 
 _SIZE = 12.0  # dots, at a scale of 1
@@ -49,7 +49,7 @@ def _draw():
     if not text:
         return
     scale = context.preferences.system.ui_scale
-    left, bottom, room, height = free_room(context.area, context.region)
+    left, bottom, room, height = view_room.free_room(context.area, context.region)
     size, margin = _SIZE * scale, _MARGIN * scale
     room -= (_GAP + _GIZMOS) * scale + 2.0 * margin
     text = shortened(text, room, lambda words: shapes.measure(words, size)[0])

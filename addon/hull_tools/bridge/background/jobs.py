@@ -2,7 +2,8 @@
 """Long work in a thread, which tells how far it is and ends early when it is asked to.
 
 One job runs after the other. None knows anything of Blender, so that only the main thread ever
-touches what Blender and the add-on keep.
+touches what Blender and the add-on keep. Their thread is not that of the `worker`, whose numbers
+would wait for minutes behind a job.
 """
 
 from .work_queue import WorkQueue

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A thread that does one piece of work after the other, for jobs and for the worker."""
+"""A thread that does one piece of work after the other: one for jobs, one for the worker, so that
+neither waits for the other."""
 
 
 class WorkQueue:

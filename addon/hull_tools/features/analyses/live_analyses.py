@@ -11,38 +11,34 @@ from time import monotonic
 import bpy
 
 from ...bridge.background import timers, worker
-from ...bridge.blender import redraw, units
+from ...bridge.blender import preferences, redraw, units
 from ...bridge.objects import hull_objects
 from .. import analyses
 from ..hull import hull_state
-from ..variants import following
+from . import plot_layout
 
-# A pause this long in the changes, and the numbers are made.
+# A pause this long in the changes, and the numbers are made. Who misses them is a panel that draws,
+# and drawing starts no timer: it notes since when, and one look after the other goes by that.
 _PAUSE_SECONDS = 0.2
 _LOOK_SECONDS = 0.05  # between looks at what is wanted, and at what the thread has made
-
-_asked = {}  # (identity of a HullState, analysis): the key_of that the thread was given last
-_diagrams = {}  # by the address of an area: see note_diagrams
-_plot_cache = {}  # analysis: (what the plot is of, the plot, what it was made from)
 
 
 @dataclass(frozen=True)
 class Shown:
-    """A hull_native.Plot of an analysis; it is of the hull as it is now, or a newer one is on its
+    """The plot_layout.Card of an analysis; it is of the hull as it is now, or a newer one is on its
     way."""
 
     name: str
-    plot: object
+    card: object
     is_current: bool
 
 
 @dataclass(frozen=True)
 class Plots:
-    """What 3D views are to show now: Shown, and the corner and size that Object.hull.plots says."""
+    """What 3D views are to show now: Shown, and the corner that Object.hull.plots says."""
 
     shown: tuple = ()
     corner: str = "BOTTOM_LEFT"
-    size: float = 1.0
 
 
 @dataclass
@@ -51,6 +47,14 @@ class Wanted:
     seconds."""
 
     since: dict = field(default_factory=dict)
+
+
+@dataclass
+class Cards:
+    """The last plots of one hull: {analysis: (what it is of, the plot_layout.Card, what it was made
+    from)}."""
+
+    by_name: dict = field(default_factory=dict)
 
 
 def latest(obj, scene, name):
@@ -84,22 +88,25 @@ def show_plots(obj, scene):
     if obj is not None and hull_state.state_of(obj) is not None:
         settings = obj.hull.plots
         names = [name for name in analyses.PLOTTED if getattr(settings, name)]
-        shown = tuple(plot for name in names for plot in _plots_of(obj, scene, name))
+        placement = plot_layout.Placement.sized(settings.corner, settings.size)
+        shown = tuple(one for name in names for one in _shown_of(obj, scene, name, placement))
         if shown:
-            found = Plots(shown, settings.corner, settings.size)
+            found = Plots(shown, settings.corner)
     _put_on_view(found)
 
 
-def note_diagrams(area, places):
-    """Keeps where an area of Blender's shows plots now: by analysis (left, bottom, right, top) of
-    the rectangle between the axes, and the same of the card, in dots of its region. Who draws them
-    tells it, and who works in them with the mouse asks `diagram`."""
-    _diagrams[area.as_pointer()] = places
+def places(area, region):
+    """The plot_layout.Place of each plot of now in a region of a 3D view; [] where the view shows
+    none."""
+    cards, ui_scale = [one.card for one in _plots.shown], bpy.context.preferences.system.ui_scale
+    factor = preferences.value("plot_size")
+    return plot_layout.places_of(cards, _plots.corner, area, region, ui_scale, factor)
 
 
-def diagram(area, name):
-    """Where an area shows the plot of an analysis, as noted, or None."""
-    return _diagrams.get(area.as_pointer(), {}).get(name)
+def place_of(name, area, region):
+    """The plot_layout.Place of the plot of an analysis in a region of a 3D view, or None."""
+    found = zip(_plots.shown, places(area, region))
+    return next((place for one, place in found if one.name == name), None)
 
 
 def _put_on_view(found):
@@ -109,26 +116,28 @@ def _put_on_view(found):
         redraw.redraw()
 
 
-def _plots_of(obj, scene, name):
-    """The plot of an analysis, as a list that is empty where there is none yet."""
+def _shown_of(obj, scene, name, placement):
+    """The Shown of an analysis, as a list that is empty where there is none yet."""
     if analyses.ANALYSES[name].IS_LIVE:
         outcome, is_current = _outcome(obj, scene, name), True
     else:
         outcome, is_current = latest(obj, scene, name)
     if outcome is None or outcome.result is None:
         return []
-    others = analyses.others_beside(hull_state.state_of(obj), name)
+    state = hull_state.state_of(obj)
+    others, cards = analyses.others_beside(state, name), state.of(Cards).by_name
     shown = units.shown_in(scene)
-    drawn = (id(outcome.result), obj.name, shown, *map(id, others))
-    known, plot, _ = _plot_cache.get(name, (None, None, None))
+    drawn = (id(outcome.result), obj.name, shown, placement, *map(id, others))
+    known, card, _ = cards.get(name, (None, None, None))
     if known != drawn:
         try:
             plot = analyses.plot_of(name, outcome.result, obj.name, others, shown)
+            card = plot_layout.card_of(plot, placement)
         except ValueError:
             return []  # nothing of it can be drawn
         # Kept, so that their identities stay theirs.
-        _plot_cache[name] = (drawn, plot, (outcome.result, others))
-    return [Shown(name, plot, is_current)]
+        cards[name] = (drawn, card, (outcome.result, others))
+    return [Shown(name, card, is_current)]
 
 
 def _outcome(obj, scene, name):
@@ -164,15 +173,13 @@ def begin(wanted):
 
 
 def _begin(state, name, key):
+    # The piece holds the state, so that no other one has its identity while it is on its way.
     purpose, source = (id(state), name), state.ship.source
-    if _asked.get(purpose) == key:
-        return  # on its way already
-    _asked[purpose] = key
 
     def work():
         return state, name, key, analyses.computed(name, source.ship, key)
 
-    worker.ask(purpose, work)
+    worker.ask(purpose, key, work)
 
 
 def take_finished():
@@ -180,22 +187,19 @@ def take_finished():
     finished = list(worker.fetch())
     for state, name, key, outcome in finished:
         analyses.store(state, name, key, outcome)
-        if _asked.get((id(state), name)) == key:
-            del _asked[id(state), name]
     if finished:
-        _show_plots_of_active()
+        show_plots_of_active()
         redraw.redraw()
     return bool(finished)
 
 
-def _show_plots_of_active():
+def show_plots_of_active():
+    """Has the plots of the active hull shown."""
     active = bpy.context.view_layer.objects.active
     show_plots(hull_objects.hull_of(active), bpy.context.scene)
 
 
 def _look():
-    if following.follow_asked():
-        _show_plots_of_active()
     follow_wanted()
     take_finished()
     return True
@@ -214,8 +218,4 @@ def stop():
     """Forgets what is on its way, and all plots; when this returns nothing is computed."""
     _looks.stop()
     worker.stop()
-    following.forget()
-    _asked.clear()
-    _plot_cache.clear()
-    _diagrams.clear()
     _put_on_view(Plots())

@@ -64,15 +64,15 @@ class Diagram:
         return left - NEAR <= x <= right + NEAR and bottom - NEAR <= y <= top + NEAR
 
 
-def diagram(obj, scene, area):
-    """The Diagram that an area of Blender's shows of a hull with a target now, or None."""
-    places = live_analyses.diagram(area, live_target.ANALYSIS)
+def diagram(obj, scene, area, region):
+    """The Diagram that a region of a 3D view shows of a hull with a target now, or None."""
+    place = live_analyses.place_of(live_target.ANALYSIS, area, region)
     live, result = live_target.known(obj), live_target.present(obj, scene)
-    if places is None or result is None or live is None or live.curve is None:
+    if place is None or result is None or live is None or live.curve is None:
         return None
     others = hull_state.state_of(obj).of(beside.Beside).of(live_target.ANALYSIS)
     frame = sectional_areas.frame(result, others)
-    return None if frame is None else Diagram(*places, frame)
+    return None if frame is None else Diagram(place.diagram, place.rectangle, frame)
 
 
 def points_of(obj, scene):

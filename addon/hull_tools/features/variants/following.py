@@ -4,39 +4,33 @@
 In the background nobody pauses, and they follow at once.
 """
 
-from time import monotonic
-
 import bpy
 
+from ...bridge.background import timers
 from ...bridge.blender import redraw
 from ..hull import hull_state
 from . import distances, ghosts
 
 _PAUSE_SECONDS = 0.2
 
-_due = None  # monotonic seconds of the next look at what they are made of
+_after = None  # what goes by them, and comes after
 
 
-def ask():
-    """Has all ghosts and distances looked after at the next pause; each call puts it off."""
-    global _due
+def ask(after):
+    """Has all ghosts and distances looked after at the next pause; each call puts it off.
+    `after()` is called then where any of them is another."""
+    global _after
     if bpy.app.background:
         _follow_all()
     else:
-        _due = monotonic() + _PAUSE_SECONDS
+        _after = after
+        _pause.put_off()
 
 
-def follow_asked():
-    """Looks after them where that was asked for and the pause is over; returns whether anything is
-    another then."""
-    global _due
-    if _due is None or monotonic() < _due:
-        return False
-    _due = None
-    has_changed = _follow_all()
-    if has_changed:
+def _follow_asked():
+    if _follow_all():
+        _after()
         redraw.redraw()
-    return has_changed
 
 
 def _follow_all():
@@ -47,7 +41,9 @@ def _follow_all():
     return has_changed
 
 
-def forget():
+_pause = timers.Timer(_PAUSE_SECONDS, _follow_asked)
+
+
+def stop():
     """Nothing is asked for any longer."""
-    global _due
-    _due = None
+    _pause.stop()
