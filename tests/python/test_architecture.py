@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """docs/architecture.md agrees with the tree: what it names is there, and what is there it names."""
 
+import ast
 import re
 from pathlib import Path
 
@@ -69,3 +70,78 @@ def test_layers_use_what_the_page_says():
     rows = re.findall(r"^\| `native/(\w+)` \| .* \| ([\w, ]*?) ?\|$", PAGE, flags=re.M)
     told = {layer: {use for use in uses.split(", ") if use} for layer, uses in rows}
     assert {layer: told[layer] for layer in USES} == USES
+
+
+# Steps of the flow of data, by what the code calls them.
+STEP = ("follow", "follow_edit", "keep", "placed", "refresh", "ask", "show_plots", "after_changes")
+ADDON = ROOT / "addon" / "hull_tools"
+
+
+def calls_of(file, function):
+    """What a function of the add-on calls, in the order of the text: each as its last two names."""
+    tree = ast.parse((ADDON / file).read_text(encoding="utf-8"))
+    (found,) = (
+        node
+        for node in ast.walk(tree)
+        if isinstance(node, ast.FunctionDef) and node.name == function
+    )
+    calls = [node.func for node in ast.walk(found) if isinstance(node, ast.Call)]
+    calls.sort(key=lambda func: (func.end_lineno, func.end_col_offset))
+    return [".".join(ast.unparse(func).split(".")[-2:]) for func in calls]
+
+
+def flow():
+    """The steps that follow an update of Blender's, one after the other, as the code has them."""
+    state = "features/hull/hull_state.py"
+    parts = {
+        "_follow": ("handlers/follow.py", "_follow"),
+        "_follow_one": ("handlers/follow.py", "_follow_one"),
+        "_brought_up_to_date": (state, "_follow"),
+    }
+    handed_over = {"placed": "preview.placed"}  # as the handler does, see the test
+
+    def expanded(file, function):
+        for call in calls_of(file, function):
+            call = handed_over.get(call, call)
+            if call in parts:
+                yield from expanded(*parts[call])
+            elif call.split(".")[-1] in STEP:
+                yield call
+                if call == "hull_state.follow_edit":
+                    yield from expanded(state, "follow_edit")
+
+    return list(expanded("handlers/follow.py", "after_update"))
+
+
+def test_the_flow_is_told_in_the_order_of_the_calls():
+    text = (ADDON / "handlers" / "follow.py").read_text(encoding="utf-8")
+    assert "preview.placed" in text.split("hull_state.follow_edit(")[1].split(")\n")[0]
+    section = PAGE.split("## A dragged point")[1].split("\nDrawing starts nothing")[0]
+    told = re.findall(rf"`(\w+\.(?:{'|'.join(STEP)}))`", section)
+    assert told == flow()
+    assert len(told) > 20 and told.index("preview.placed") < told.index("ship.follow")
+
+
+def files_with(pattern):
+    return {
+        path.relative_to(ADDON).as_posix()
+        for path in ADDON.rglob("*.py")
+        if re.search(pattern, path.read_text(encoding="utf-8"))
+    }
+
+
+def test_timers_threads_and_drawing_have_one_place_each():
+    assert files_with(r"app\.timers") == {"bridge/background/timers.py"}
+    assert files_with(r"ThreadPoolExecutor|Thread\(") == {"bridge/background/work_queue.py"}
+    assert files_with(r"WorkQueue\(") == {
+        "bridge/background/jobs.py",
+        "bridge/background/worker.py",
+    }
+    assert files_with(r"SpaceView3D\.draw_handler_(add|remove)") == {"overlays/view.py"}
+
+
+def test_drawing_keeps_only_what_goes_with_its_source():
+    """Nothing that overlays or panels keep for later is found by names or addresses, which another
+    thing may have by then."""
+    kept = files_with(r"(?m)^_\w+ = (\{\}|dict\(|set\(|\[\]|OrderedDict)")
+    assert not {file for file in kept if file.startswith(("overlays/", "panels/"))}
