@@ -75,12 +75,14 @@ void bind_offset_table(py::module_& module) {
 
   module.def("offset_table", &analysis::offset_table, py::arg("surface"), py::kw_only(),
              py::arg("stations"), py::arg("waterlines"), py::arg("buttocks"),
-             py::call_guard<py::gil_scoped_release>(),
+             py::arg("mirrored") = true, py::call_guard<py::gil_scoped_release>(),
              "The OffsetTable at stations x, waterlines z and buttocks y >= 0 (m); the buttock 0 "
              "gives the heights of keel, stem and stern. Values are of the surface to 1e-7 of the "
              "mesh's size where the station crosses the waterline or buttock at an angle; where "
              "the hull is flat there, the flat part's edge. Raises ValueError for a position that "
-             "is not finite, a negative buttock, and more than 1000 of a kind.");
+             "is not finite, a negative buttock, more than 1000 of a kind, and a surface without "
+             "a port side. mirrored: the surface is the port half, which counts twice; a whole "
+             "hull may reach further to starboard.");
 }
 
 }  // namespace hull::bindings

@@ -33,7 +33,7 @@ from .model_files import write_3mf, write_cli
 from .panel_files import gdf_title, panel_areas, write_gdf, write_nemoh, write_obj
 from .part_files import read_stl_parts, write_segments, write_stl_parts
 from .plating_data import SEAM_KINDS, FrameRange, Plating, SeamRule
-from .reading import read_hull, stored_sections
+from .reading import read_hull, read_mended, stored_sections
 from .scaling import scaled, to_dimensions
 from .ship_data import (
     Afloat,
@@ -96,6 +96,7 @@ __all__ = [
     "read_area_table",
     "read_hull",
     "read_hull_file",
+    "read_mended",
     "read_stl",
     "read_stl_parts",
     "scaled",

@@ -24,7 +24,8 @@ format, version, units, half, points and faces are required. Without layers all 
 without face_layers all are in the first layer. A particular that is left out is 0: not given.
 Without a deck_edge it is the border; shown_rows are edges of rows of points that are shown with
 combs; flats tells of the faces that are kept in a plane. Nothing is mended on reading: a mistake is
-refused with the key and index where it stands.
+refused with the key and index where it stands; a hull that is to be mended as those of other
+programs are, as Blender's import does, is read by reading.read_mended.
 """
 
 import json

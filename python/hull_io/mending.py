@@ -5,16 +5,17 @@ Each function changes a HullData in place, and adds a sentence to its notes wher
 anything: nothing is done unseen.
 """
 
+from dataclasses import fields
+
 import numpy as np
 
+from . import scaling, sides
 from .cleanup import listed
 from .hull_data import KEPT_IN, shell_face_indices
 from .hull_ties import renumbered
+from .moving import OtherSide
 from .orientation import turn_outwards
 from .splitting import split, standing_parts
-
-# A half that reaches across the centre plane by more than this part of its breadth has both sides.
-ACROSS = 1e-3
 
 
 def mend(data):
@@ -71,13 +72,14 @@ def _parted(data, made, standing):
 
 
 def bring_to_port(data):
-    """Mirrors a half hull whose shell lies to starboard (y < 0)."""
+    """Mirrors a half hull whose shell lies to starboard (y < 0), and all that lies in space with
+    it; variants stay, which are hulls of their own."""
     if not lies_to_starboard(data):
         return
-    data.points = data.points * [1.0, -1.0, 1.0] + 0.0
+    moved = scaling.follow(data, OtherSide())
+    for name in (field.name for field in fields(data)):
+        setattr(data, name, getattr(moved, name))
     data.faces = [face[::-1] for face in data.faces]
-    for flat in data.flats:
-        flat.normal = (flat.normal[0], -flat.normal[1], flat.normal[2])
     data.notes.append("The half hull lay to starboard (y < 0): it was mirrored to port.")
 
 
@@ -86,8 +88,7 @@ def lies_to_starboard(data):
     used = sorted({point for index in shell_face_indices(data) for point in data.faces[index]})
     if not data.half or not used:
         return False
-    y = data.points[used, 1]
-    return bool(y.min() < 0.0 and y.max() <= -ACROSS * y.min())
+    return sides.lies_to_starboard(data.points[used, 1])
 
 
 def turn_faces(data):

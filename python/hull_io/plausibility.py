@@ -2,24 +2,26 @@
 """Whether what is said of a hull can be true of its surface: pure numbers, in m.
 
 Nothing is refused here. Each doubt names what is odd and what to look at; `remedy` says which help
-there is: TAKE the particulars named in `takes` from the surface, count the hull as WHOLE or HALF.
+there is: TAKE the particulars named in `takes` from the surface, count the hull as WHOLE or HALF,
+put its KEEL on the base line.
 """
 
 from dataclasses import dataclass
 
 import numpy as np
 
-from .mending import ACROSS
+from . import sides
 
-TAKE, WHOLE, HALF = "TAKE", "WHOLE", "HALF"
+TAKE, WHOLE, HALF, KEEL = "TAKE", "WHOLE", "HALF", "KEEL"
 
 # Shares of the surface's length and beam that ships have between perpendiculars, and moulded.
-LENGTHS = (0.6, 1.1)
+# Of sterns and stems that hang over far a fast boat's leave 0.85 of the length.
+LENGTHS = (0.8, 1.1)
 BEAMS = (0.7, 1.1)
 # What counts as about the middle: so far from it, as a part of the length.
 MIDDLE = 0.1
 # A keel further from the base line than this part of the height of the hull is not on it.
-KEEL = 0.02
+ON_BASE_LINE = 0.02
 # A barge has Cb = Cm = 1.
 FULL = 1.0 + 1e-6
 
@@ -67,9 +69,12 @@ def doubts(particulars, half, found, block=None, midship=None):
     port half and counts twice. found: the Extents of its surface. block, midship: Cb and Cm on
     these particulars, None where unknown.
     """
-    sides = _about_sides(half, found)
+    about_sides = _about_sides(half, found)
     dimensions = _about_units(particulars) or _about_dimensions(particulars, half, found)
-    return sides + dimensions + _about_keel(found) + _about_fullness(block, midship, bool(sides))
+    keel = _about_keel(found)
+    # Both sides count twice, and a keel below the base line lies deeper than the draft.
+    is_explained = bool(about_sides) or bool(keel) and found.keel < 0.0
+    return about_sides + dimensions + keel + _about_fullness(block, midship, is_explained)
 
 
 def taken(names, half, found):
@@ -83,9 +88,8 @@ def taken(names, half, found):
 
 
 def _about_sides(half, found):
-    port, starboard = max(found.high[1], 0.0), max(-found.low[1], 0.0)
-    small, large = sorted((port, starboard))
-    if half and small > 0.5 * large:
+    port, starboard = sides.reaches(found.low[1], found.high[1])
+    if half and sides.has_both(found.low[1], found.high[1]):
         return [
             Doubt(
                 f"Both sides are modelled, from y = {-starboard:.4g} to {port:.4g} m, but the hull "
@@ -93,7 +97,7 @@ def _about_sides(half, found):
                 WHOLE,
             )
         ]
-    if not half and large > 0.0 and small <= ACROSS * large:
+    if not half and sides.has_one(found.low[1], found.high[1]):
         side = "port" if port > starboard else "starboard"
         return [Doubt(f"Only the {side} side is modelled, but the hull counts as whole", HALF)]
     return []
@@ -127,24 +131,25 @@ def _about_dimensions(particulars, half, found):
 
 
 def _about_keel(found):
-    if abs(found.keel) <= KEEL * (found.high[2] - found.low[2]):
+    if abs(found.keel) <= ON_BASE_LINE * (found.high[2] - found.low[2]):
         return []
     where = "below" if found.keel < 0.0 else "above"
     return [
         Doubt(
             f"The keel is {abs(found.keel):.4g} m {where} the base line z = 0, from which drafts "
-            "are measured"
+            "are measured: put it there",
+            KEEL,
         )
     ]
 
 
-def _about_fullness(block, midship, has_sides):
+def _about_fullness(block, midship, is_explained):
     full = [
         f"{name} is {value:.3f}"
         for name, value in (("Cb", block), ("Cm", midship))
         if value is not None and value > FULL
     ]
-    if not full or has_sides:
+    if not full or is_explained:
         return []
     return [
         Doubt(

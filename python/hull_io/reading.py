@@ -10,6 +10,7 @@ from .freeship import is_freeship, read_freeship, read_stored_sections
 from .geometry.reading import is_geometry
 from .hull_file import parse_hull_file
 from .limits import MAX_FILE_BYTES, MAX_HULL_FILE_BYTES
+from .mending import mend
 
 
 def read_hull(path):
@@ -43,6 +44,14 @@ def read_hull(path):
         "file ending in .fbm, .ftm, .hull.json or .hul, or a surface or table of offsets with Hull "
         "from File."
     )
+
+
+def read_mended(path):
+    """The HullData of such a file, mended to what a surface can be made of, whatever format it has:
+    what was done is in its notes. read_hull leaves a hull file (.hull.json) as it is."""
+    hull = read_hull(path)
+    mend(hull)  # which finds nothing to do in the others
+    return hull
 
 
 def stored_sections(path):

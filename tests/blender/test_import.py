@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Files become hull objects, one for each; a file that cannot be read changes nothing."""
 
+from types import SimpleNamespace
+
 import bpy
 import numpy as np
 import pytest
@@ -40,6 +42,27 @@ def test_files_of_geometry_are_sent_to_hull_from_file(tmp_path):
         with pytest.raises(RuntimeError, match="with Hull from File, which lays a hull"):
             bpy.ops.hull.import_hull(filepath=str(path))
     assert data_counts() == before
+
+
+def test_hull_files_are_mended_as_models_of_others_are(tmp_path):
+    """A half to starboard, with a wall on it, which a script reads as it is."""
+    points = [(x, y, z) for x in (0.0, 5.0, 10.0) for y in (0.0, -2.0) for z in (0.0, 3.0)]
+    faces = [[2, 6, 7, 3], [6, 10, 11, 7], [0, 4, 6, 2], [4, 8, 10, 6], [4, 5, 7, 6]]
+    data = hull_io().HullData("box", points, faces, half=True)
+    path = tmp_path / "box.hull.json"
+    hull_io().write_hull_file(data, path)
+    assert hull_io().read_hull(path).notes == []
+    assert bpy.ops.hull.import_hull(filepath=str(path)) == {"FINISHED"}
+    hull = bpy.context.object
+    assert not state_of(hull).status and not state_of(hull).ship.check.errors
+    assert mesh_points(hull)[:, 1].min() == 0.0 and mesh_points(hull)[:, 1].max() == 2.0
+    operator = part("operators.import_hull")
+    told = []
+    reports = SimpleNamespace(report=lambda kinds, text: told.append((kinds, text)))
+    operator._import(reports, bpy.context, str(path))
+    said = [text for kinds, text in told if kinds == {"WARNING"}]
+    assert any("mirrored to port" in text for text in said)
+    assert any("were split" in text for text in said)
 
 
 def check_imported(hull, wanted):

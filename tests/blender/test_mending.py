@@ -5,7 +5,7 @@ import bmesh
 import bpy
 import numpy as np
 import pytest
-from addon_under_test import LENGTH, add_box, add_hull, mesh_points, part, state_of
+from addon_under_test import LENGTH, add_box, add_hull, mesh_points, part, sample, state_of
 from edited_hulls import edit
 
 ATTRIBUTE = "kept"
@@ -118,18 +118,20 @@ def test_split_in_edit_mode_and_undone():
     assert len(hull.data.vertices) == 12 and refreshed(hull).status
 
 
-def starboard_box():
+def starboard_box(across=0.0):
+    """across: how far the centre line lies over the centre plane, of the half-breadth 2 m."""
     box = add_box()
     for vertex in box.data.vertices:
-        vertex.co.y = -vertex.co.y
+        vertex.co.y = -vertex.co.y or 2.0 * across
     box.data.flip_normals()
     bpy.ops.hull.make_hull(half=True)
     box.hull.length_pp, box.hull.beam, box.hull.draft = LENGTH, 4.0, 1.5
     return box
 
 
-def test_a_half_hull_to_starboard_is_refused_and_mirrored(tmp_path):
-    hull = starboard_box()
+@pytest.mark.parametrize("across", [0.0, 0.002, 0.02, 0.3])
+def test_a_half_hull_to_starboard_is_refused_and_mirrored(tmp_path, across):
+    hull = starboard_box(across)
     state = refreshed(hull)
     assert "starboard" in state.status and state.hydrostatics.values is None
     assert ("error", "PORT") in problems(hull)
@@ -137,14 +139,19 @@ def test_a_half_hull_to_starboard_is_refused_and_mirrored(tmp_path):
     for call in (
         lambda: bpy.ops.hull.export_table(analysis="hydrostatic_table", filepath=str(path)),
         lambda: bpy.ops.hull.export_table(analysis="offset_table", filepath=str(path)),
+        lambda: bpy.ops.hull.export_lines(filepath=str(tmp_path / "lines.svg")),
         lambda: bpy.ops.hull.export_step(filepath=str(tmp_path / "hull.step")),
     ):
         with pytest.raises(RuntimeError, match="starboard"):
             call()
     assert not list(tmp_path.iterdir())
     assert bpy.ops.hull.mirror_to_port() == {"FINISHED"}
-    assert not refreshed(hull).status and not state_of(hull).ship.check.problems
-    assert volume(hull) == pytest.approx(LENGTH * 4.0 * 1.5, rel=1e-7)
+    assert not refreshed(hull).status and not state_of(hull).ship.check.errors
+    assert not across or "to starboard (y < 0)" in state_of(hull).ship.check.problems[0].message
+    assert state_of(hull).hydrostatics.values.immersed_beam == pytest.approx(4.0)
+    if not across:
+        assert not state_of(hull).ship.check.problems
+        assert volume(hull) == pytest.approx(LENGTH * 4.0 * 1.5, rel=1e-7)
     with pytest.raises(RuntimeError, match="no half that lies to starboard"):
         bpy.ops.hull.mirror_to_port()
 
@@ -176,6 +183,72 @@ def test_both_sides_that_count_as_half_are_counted_as_whole():
     assert doubts(hull) == [("WHOLE", ())]
     assert bpy.ops.hull.count_sides(sides="WHOLE") == {"FINISHED"}
     assert doubts(hull) == [] and volume(hull) == pytest.approx(once, rel=1e-7)
+
+
+BUTTONS = {
+    "TAKE": lambda doubt: bpy.ops.hull.take_from_surface(names=set(doubt.takes)),
+    "WHOLE": lambda doubt: bpy.ops.hull.count_sides(sides="WHOLE"),
+    "HALF": lambda doubt: bpy.ops.hull.count_sides(sides="HALF"),
+    "KEEL": lambda doubt: bpy.ops.hull.put_keel_on_base_line(),
+}
+
+
+def lowered(hull, depth):
+    for vertex in hull.data.vertices:
+        vertex.co.z -= depth
+    hull.data.update()
+    return refreshed(hull)
+
+
+@pytest.mark.parametrize("depth", [2.0, -1.5])
+def test_each_button_clears_its_doubt_about_a_lowered_hull(depth):
+    hull = sample("coaster")
+    settings = hull.hull
+    draft, before = settings.draft, volume(hull)
+    (doubt,) = lowered(hull, depth).plausible.doubts
+    assert doubt.remedy == "KEEL"
+    assert BUTTONS[doubt.remedy](doubt) == {"FINISHED"}
+    assert doubts(hull) == [] and settings.draft == draft
+    assert volume(hull) == pytest.approx(before, rel=1e-5)
+    with pytest.raises(RuntimeError, match="on the base line already"):
+        bpy.ops.hull.put_keel_on_base_line()
+
+
+def test_every_doubt_has_a_button_that_clears_it():
+    hull = sample("coaster")
+    settings = hull.hull
+    settings.length_pp, settings.beam = 0.61 * 89.0, 30.0
+    bpy.ops.hull.make_whole()
+    settings.half = True
+    state = lowered(hull, 2.0)
+    assert {doubt.remedy for doubt in state.plausible.doubts} == {"WHOLE", "TAKE", "KEEL"}
+    for doubt in list(state.plausible.doubts):
+        assert BUTTONS[doubt.remedy](doubt) == {"FINISHED"}
+    assert doubts(hull) == []
+
+
+@pytest.mark.parametrize("stays", [True, False])
+def test_what_lies_in_space_goes_up_with_the_keel(stays):
+    hull = add_hull()
+    settings = hull.hull
+    settings.length_pp, settings.beam, settings.draft, settings.depth = LENGTH, 4.0, 1.5, 3.0
+    settings.lines.waterlines = "1 2"
+    bpy.ops.hull.add_downflooding_point()
+    settings.loading.downflooding_points[0].position = (5.0, 2.0, 2.5)
+    settings.loading.kg = 1.25
+    once = volume(hull)
+    lowered(hull, 0.5)
+    deeper = volume(hull)
+    assert deeper == pytest.approx(LENGTH * 4.0 * 2.0, rel=1e-6)
+    assert bpy.ops.hull.put_keel_on_base_line(draft_stays=stays) == {"FINISHED"}
+    assert volume(hull) == pytest.approx(once if stays else deeper, rel=1e-6)
+    assert settings.loading.downflooding_points[0].position[2] == pytest.approx(3.0)
+    moved = 0.0 if stays else 0.5
+    heights = settings.draft, settings.depth, settings.loading.kg
+    assert heights == pytest.approx((1.5 + moved, 3.0 + moved, 1.25 + moved))
+    assert settings.lines.waterlines == ("1 2" if stays else "1.5 2.5")
+    assert mesh_points(hull)[:, 2].min() == pytest.approx(0.0, abs=1e-6)
+    assert doubts(hull) == []
 
 
 def test_samples_are_not_doubted():

@@ -179,4 +179,29 @@ class HULL_OT_follow_scale(bpy.types.Operator, BaseOperator):
         self.report({"INFO"}, _report(factors, "All followed the scale"))
 
 
-CLASSES = (HULL_OT_set_dimensions, HULL_OT_follow_scale)
+class HULL_OT_put_keel_on_base_line(bpy.types.Operator, HullOperator):
+    """Move the hull up or down until its keel is at z = 0, from which drafts are measured, with
+    openings, flats, appendages and what else lies in space"""
+
+    bl_idname = "hull.put_keel_on_base_line"
+    bl_label = "Put Keel on Base Line"
+
+    needs = (in_object_mode, *HullOperator.needs)
+
+    draft_stays: BoolProperty(
+        name="Heights from Keel",
+        description="Draft, depth, VCG and waterlines were measured from the keel, and keep their "
+        "values; else they go along, and the water stays where it is at the hull",
+        default=True,
+    )
+
+    def run_on(self, hull, context):
+        scene = context.scene
+        lift = dimensions.put_keel_on_base_line(hull, scene, self.draft_stays)
+        draft = units.format_value(scene, hull.hull.draft * units.metres_per_unit(scene), "m")
+        way = "up" if lift > 0.0 else "down"
+        distance = units.format_value(scene, abs(lift), "m")
+        self.report({"INFO"}, f"The hull was moved {way} by {distance}; its draft is {draft} now")
+
+
+CLASSES = (HULL_OT_set_dimensions, HULL_OT_follow_scale, HULL_OT_put_keel_on_base_line)

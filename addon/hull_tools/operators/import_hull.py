@@ -13,8 +13,8 @@ from .shared import BaseOperator, in_object_mode, make_active, native_is_there, 
 
 
 def _import(operator, context, path):
-    """Reads a file completely before anything is made of it."""
-    hull = hull_io.read_hull(path)
+    """Reads a file completely, and mends it, before anything is made of it."""
+    hull = hull_io.read_mended(path)
     obj = hull_files.hull_object(hull, context.scene, context.collection)
     make_active(context, obj)
     show_all(context)

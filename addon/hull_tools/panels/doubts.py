@@ -21,6 +21,8 @@ def draw_doubts(layout, context, state):
         label_wrapped(box, context, doubt.message, icon="ERROR")
         if doubt.remedy == "TAKE":
             box.operator("hull.take_from_surface").names = set(doubt.takes)
+        elif doubt.remedy == "KEEL":
+            box.operator("hull.put_keel_on_base_line")
         elif doubt.remedy:
             button = box.operator("hull.count_sides", text=_COUNTING[doubt.remedy])
             button.sides = doubt.remedy

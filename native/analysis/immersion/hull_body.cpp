@@ -263,7 +263,7 @@ void HullBody::check_immersed(const Plane& water) const {
   if (!water.normal.allFinite() || !std::isfinite(water.offset)) {
     throw std::invalid_argument("The water's surface must be given by finite numbers.");
   }
-  const std::string missing = mirrored_ ? missing_port_side(surface()) : "";
+  const std::string missing = mirrored_ ? missing_port_side(surface(), true) : "";
   if (!missing.empty()) throw std::invalid_argument(missing);
   if (!inversion_.empty()) throw std::invalid_argument(inversion_);
   refuse_flooding(water);

@@ -97,8 +97,8 @@ class Station {
 }  // namespace
 
 OffsetTable offset_table(const surface::LimitSurface& surface, const std::vector<double>& stations,
-                         const std::vector<double>& waterlines,
-                         const std::vector<double>& buttocks) {
+                         const std::vector<double>& waterlines, const std::vector<double>& buttocks,
+                         bool mirrored) {
   check_positions(stations, "station");
   check_positions(waterlines, "waterline");
   check_positions(buttocks, "buttock");
@@ -108,7 +108,7 @@ OffsetTable offset_table(const surface::LimitSurface& surface, const std::vector
                                   " m has no offsets: they are of the port half, from 0 up");
     }
   }
-  const std::string missing = missing_port_side(surface);
+  const std::string missing = missing_port_side(surface, mirrored);
   if (!missing.empty()) throw std::invalid_argument(missing);
   OffsetTable table{stations, waterlines, buttocks, {}, {}, {}};
   for (const double x : stations) {

@@ -38,7 +38,7 @@ struct OffsetTable {
   }
 };
 
-// Of the port half, y >= 0.
+// Of the port half, y >= 0, which is the surface where `mirrored`, else a part of it.
 //
 // A half-breadth is the largest of the station at the waterline's height, a height the lowest of
 // the station at the buttock: where the hull is flat there, the flat part's outer or lower edge.
@@ -51,10 +51,10 @@ struct OffsetTable {
 // A border is named "Deck edge" if it is the only one, else "Edge 1", ...; creases "Knuckle 1", ...
 //
 // Throws std::invalid_argument for a position that is not finite, a negative buttock, more than
-// kMostOffsetPositions of a kind, and a surface that lies to starboard.
+// kMostOffsetPositions of a kind, and a surface without that half (missing_port_side()).
 OffsetTable offset_table(const surface::LimitSurface& surface, const std::vector<double>& stations,
-                         const std::vector<double>& waterlines,
-                         const std::vector<double>& buttocks);
+                         const std::vector<double>& waterlines, const std::vector<double>& buttocks,
+                         bool mirrored = true);
 
 inline constexpr std::size_t kMostOffsetPositions = 1000;
 

@@ -6,17 +6,22 @@
 namespace hull::analysis {
 namespace {
 
+// A half that reaches to port by at least this part of its reach to starboard is none to starboard:
+// both sides are modelled, or the port one. As in hull_io's sides.py.
+constexpr double kBothSides = 0.5;
+
 constexpr double kNoise = 1e-3;  // across the centre plane, of the breadth
 
 }  // namespace
 
-std::string missing_port_side(const surface::LimitSurface& surface) {
+std::string missing_port_side(const surface::LimitSurface& surface, bool mirrored) {
   double port = 0.0, starboard = 0.0;
   for (const Vector3d& p : surface.mesh().points()) {
     port = std::max(port, p.y());
     starboard = std::max(starboard, -p.y());
   }
-  if (starboard == 0.0 || port > kNoise * starboard) return {};
+  if (port >= (mirrored ? kBothSides : kNoise) * starboard) return {};
+  if (!mirrored) return "Nothing of the hull lies to port (y > 0): mirror it to port.";
   return "The half hull lies to starboard (y < 0), but the half that counts twice is the port one: "
          "mirror it to port.";
 }

@@ -7,8 +7,11 @@
 
 namespace hull::analysis {
 
-// Why a surface can't stand for the port half of a hull, as a sentence; empty where it can: its
-// control points are to starboard, but for some noise at the centre plane.
-std::string missing_port_side(const surface::LimitSurface& surface);
+// Why a surface has no port side to measure, as a sentence; empty where it has.
+//
+// mirrored: it is to stand for the port half of a hull. It can't where its control points reach
+// less than half as far to port as to starboard: then it is the other half, whose centre line may
+// lie across the centre plane. Of a whole hull, of any shape, only noise must not be all there is.
+std::string missing_port_side(const surface::LimitSurface& surface, bool mirrored);
 
 }  // namespace hull::analysis

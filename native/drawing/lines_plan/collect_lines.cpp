@@ -266,8 +266,8 @@ void leave_out_beyond(LinesDrawing& drawing, double same) {
   leave_out(drawing.buttocks, 0.0, extents.breadth);
 }
 
-analysis::OffsetTable offsets_of(const surface::LimitSurface& surface,
-                                 const LinesDrawing& drawing) {
+analysis::OffsetTable offsets_of(const surface::LimitSurface& surface, const LinesDrawing& drawing,
+                                 bool mirrored) {
   const auto positions = [](const std::vector<NamedCurves>& family) {
     std::vector<double> all;
     for (const NamedCurves& member : family) all.push_back(member.position);
@@ -276,7 +276,7 @@ analysis::OffsetTable offsets_of(const surface::LimitSurface& surface,
   std::vector<double> buttocks = positions(drawing.buttocks);
   buttocks.insert(buttocks.begin(), 0.0);
   return analysis::offset_table(surface, positions(drawing.stations), positions(drawing.waterlines),
-                                buttocks);
+                                buttocks, mirrored);
 }
 
 }  // namespace
@@ -315,7 +315,7 @@ LinesDrawing collect_lines(const surface::LimitSurface& surface, const LinesOpti
   if (options.draft && !std::isfinite(*options.draft)) {
     throw std::invalid_argument("The draft is not a finite number");
   }
-  const std::string missing = options.mirrored ? analysis::missing_port_side(surface) : "";
+  const std::string missing = options.mirrored ? analysis::missing_port_side(surface, true) : "";
   if (!missing.empty()) throw std::invalid_argument(missing);
   drawing.stations = cutter.cut_all(analysis::Axis::kX, stations);
   number_stations(drawing.stations, numbering_of(stations, options.station_spacing));
@@ -335,7 +335,7 @@ LinesDrawing collect_lines(const surface::LimitSurface& surface, const LinesOpti
   }
   add_features(surface, options.mirrored, drawing);
   leave_out_beyond(drawing, same);
-  if (options.offsets) drawing.offsets = offsets_of(surface, drawing);
+  if (options.offsets) drawing.offsets = offsets_of(surface, drawing, options.mirrored);
   return drawing;
 }
 

@@ -1,11 +1,15 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What can't be true of a hull is named, and what is true is not."""
 
+from pathlib import Path
+
+import hull_io
 import numpy as np
 import pytest
 from hull_io import Particulars
-from hull_io.plausibility import HALF, TAKE, WHOLE, doubts, extents, taken
+from hull_io.plausibility import HALF, KEEL, TAKE, WHOLE, doubts, extents, taken
 
+SAMPLES = Path(__file__).resolve().parents[3] / "samples"
 SHIP = Particulars(length_pp=100.0, beam=16.0, draft=6.0, depth=9.0)
 
 
@@ -39,7 +43,10 @@ def test_both_sides_counted_as_half():
     assert doubt.remedy == WHOLE and "Both sides" in doubt.message
 
 
-@pytest.mark.parametrize("low, high, side", [(0.0, 8.0, "port"), (-8.0, 0.0, "starboard")])
+@pytest.mark.parametrize(
+    "low, high, side",
+    [(0.0, 8.0, "port"), (-8.0, 0.0, "starboard"), (-0.16, 8.0, "port"), (-8.0, 0.16, "starboard")],
+)
 def test_one_side_counted_as_whole(low, high, side):
     beam = Particulars(length_pp=100.0, beam=8.0)
     (doubt,) = doubts(beam, False, surface((-3.0, low, 0.0), (102.0, high, 9.0)))
@@ -47,7 +54,16 @@ def test_one_side_counted_as_whole(low, high, side):
 
 
 @pytest.mark.parametrize(
-    "length, is_odd", [(100.0, False), (115.0, False), (120.0, True), (60, True)]
+    "length, is_odd",
+    [
+        (100.0, False),
+        (115.0, False),
+        (120.0, True),
+        (60, True),
+        (64.1, True),
+        (80.0, True),
+        (88.0, False),
+    ],
 )
 def test_a_length_far_from_the_surface(length, is_odd):
     found = doubts(Particulars(length_pp=length, beam=16.0), True, surface())
@@ -69,7 +85,25 @@ def test_dimensions_that_are_all_1_m():
 @pytest.mark.parametrize("keel, where", [(-2.0, "2 m below"), (3.0, "3 m above")])
 def test_a_keel_that_is_not_on_the_base_line(keel, where):
     (doubt,) = doubts(SHIP, True, surface((-3.0, 0.0, keel), (102.0, 8.0, 9.0)))
-    assert doubt.remedy == "" and where in doubt.message
+    assert doubt.remedy == KEEL and where in doubt.message
+
+
+def test_a_hull_too_full_by_its_keel_is_not_asked_for_its_length():
+    """The draft is of 2 m less than is immersed."""
+    deep = surface((-3.0, 0.0, -2.0), (102.0, 8.0, 7.0))
+    assert remedies(doubts(SHIP, True, deep, 1.094, 1.3)) == [KEEL]
+    high = surface((-3.0, 0.0, 1.0), (102.0, 8.0, 10.0))
+    assert remedies(doubts(SHIP, True, high, 1.094, 1.3)) == [KEEL, TAKE]
+
+
+@pytest.mark.parametrize("name", sorted(path.name for path in SAMPLES.glob("*.hull.json")))
+def test_samples_have_the_dimensions_of_their_surface(name):
+    """By their control points, which reach a little further."""
+    data = hull_io.read_hull(SAMPLES / name)
+    used = {
+        point for face in hull_io.hull_data.shell_face_indices(data) for point in data.faces[face]
+    }
+    assert doubts(data.particulars, data.half, extents(data.points[sorted(used)])) == []
 
 
 def test_a_dome_below_the_base_line_is_none():

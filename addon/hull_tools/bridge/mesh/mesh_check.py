@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ....hull_io.mending import ACROSS
+from ....hull_io import sides
 from .. import limits, native
 from ..counts import counted, counted_are
 from . import mesh_arrays
@@ -143,7 +143,7 @@ def _side_warnings(control, half):
     problems = []
     y = control.points[:, 1]
     starboard = np.flatnonzero(y < -_dust(control.points))
-    if half and len(starboard) and y.max() <= -ACROSS * y.min():
+    if half and len(starboard) and sides.lies_to_starboard(y):
         elements = tuple(control.vertex_ids[starboard].tolist())
         message = "The half hull lies to starboard (y < 0): mirror it to port"
         problems.append(Problem("error", "vertex", elements, message, "PORT"))

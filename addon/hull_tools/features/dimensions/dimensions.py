@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A hull brought to main dimensions by scaling; scales that Blender applied followed."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
-from ....hull_io import scaling
+from ....hull_io import moving, scaling
 from ...bridge.blender import units
 from ...bridge.blender.units import as_typed
 from ...bridge.mesh import mesh_points
@@ -137,11 +137,33 @@ def _keep_form(obj, scene):
 def scale_hull(obj, scene, factors):
     """Multiplies x, y and z of a hull's points by three factors, and all that belongs to it
     follows. ValueError as hull_io.scaling.Scale."""
-    scale = scaling.Scale(tuple(map(float, factors)))
+    _move(obj, scene, scaling.Scale(tuple(map(float, factors))))
+
+
+def put_keel_on_base_line(obj, scene, draft_stays=True):
+    """Moves a hull up or down so that its keel amidships is at z = 0, with all that lies in space
+    with it; returns how far up, m.
+
+    draft_stays: draft, depth, heights of centres and the like were measured from the keel, and keep
+    their values; else they go along, and the water stays where it is at the hull. ValueError when
+    it has no surface, or is there.
+    """
+    found = hull_state.up_to_date(obj, scene).plausible.extents
+    if abs(found.keel) <= _NOTICED * (found.high[2] - found.low[2]):
+        raise ValueError("The keel is on the base line already")
+    lift = -found.keel / units.metres_per_unit(scene)
+    _move(obj, scene, moving.upwards(lift, draft_stays))
+    return -found.keel
+
+
+def _move(obj, scene, scale):
+    """Points, and all that belongs to a hull, go as a Scale in Blender's units takes them."""
     check_single_user(obj.data)
+    metres = units.metres_per_unit(scene)
+    metric = replace(scale, shift=tuple(metres * part for part in scale.shift))
     points = mesh_points.read(obj.data)
     mesh_points.write(obj.data, np.arange(len(points)), scale.points(points))
-    following.follow(obj, scale, scale)
+    following.follow(obj, scale, metric)
     _forget_scale(obj)
     hull_state.follow_edit(obj, scene, is_by_hand=False)
 

@@ -116,6 +116,7 @@ def _michlet(obj, scene, state, scale):
         stations=np.linspace(found.waterline_aft, found.waterline_forward, _MICHLET_STATIONS),
         waterlines=np.linspace(keel, where.draft, _MICHLET_WATERLINES),
         buttocks=(),
+        mirrored=body.mirrored,
     )
     return section_files.michlet_text(
         obj.name,

@@ -45,7 +45,11 @@ def compute(ship, wanted):
     if not stations:
         raise ValueError("There are no stations: give Lpp and their number, or a list of them")
     table = native.require().offset_table(
-        surface, stations=stations, waterlines=waterlines, buttocks=(0.0, *buttocks)
+        surface,
+        stations=stations,
+        waterlines=waterlines,
+        buttocks=(0.0, *buttocks),
+        mirrored=ship.body.mirrored,
     )
     # With what reads such tables again; loaded where it is wanted.
     from ....hull_fitting.profile_ends import end_lines

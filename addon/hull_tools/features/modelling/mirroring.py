@@ -14,11 +14,12 @@ import bmesh
 import numpy as np
 from mathutils import kdtree
 
-from ....hull_io.mending import ACROSS
+from ....hull_io.sides import lies_to_starboard
 from ...bridge.blender import blender_versions
 from ...bridge.counts import counted
 from ...bridge.mesh import mesh_check, mesh_points
 from ...bridge.mesh.mesh_editing import check_single_user, editing
+from ...bridge.objects import hull_mesh
 from ..constraints import flat_marks, flats, kept_points, planes, ties
 from ..hull import hull_state
 
@@ -99,8 +100,8 @@ def to_half(obj, scene, side="PORT", cut=False):
 def to_port(obj, scene):
     """Mirrors a half hull that lies to starboard. ValueError for any other."""
     check_single_user(obj.data)
-    y = mesh_points.read(obj.data)[:, 1]
-    if not (obj.hull.half and len(y) and y.min() < 0.0 and y.max() <= -ACROSS * y.min()):
+    shell = hull_mesh.read(obj).control(1.0)
+    if not (obj.hull.half and lies_to_starboard(shell.points[:, 1])):
         raise ValueError("The hull is no half that lies to starboard (y < 0)")
     with editing(obj.data) as bm:
         for vertex in bm.verts:
