@@ -5,7 +5,7 @@
     "load": {"mass_t": t, "kg": m, "kg_is_guess": false, "lcg": m, "free_trim": true,
              "loaded": "typed", "case": "..."},
     "load_cases": [{"name": "...", "mass_t": t, "lcg": m, "tcg": m, "vcg": m,
-                    "with_weights": false}, ...],
+                    "with_weights": false, "vcg_is_guess": false}, ...],
     "openings": [{"name": "...", "position": [x, y, z]}, ...],
     "wind": {"hull_profile": true, "areas": [{"name": "...", "area": m2, "z": m}, ...], "lever": m,
              "pressure": Pa, "keel_area": m2, "sharp_bilges": false, "roll_period": s}
@@ -81,7 +81,8 @@ def _listed(check, content, key, parse, parent=""):
 
 
 def _load_case(check, value, where):
-    entries = check.object(value, where, ("name", "mass_t", "lcg", "tcg", "vcg", "with_weights"))
+    known = ("name", "mass_t", "lcg", "tcg", "vcg", "with_weights", "vcg_is_guess")
+    entries = check.object(value, where, known)
     if "mass_t" not in entries:
         raise check.error(f"{where}.mass_t", "it is missing", "add the mass in t")
     centre = {
@@ -91,6 +92,7 @@ def _load_case(check, value, where):
         name=check.text(entries.get("name", "Load case"), f"{where}.name"),
         mass_t=check.number(entries["mass_t"], f"{where}.mass_t", 0.0, HEAVIEST_LOAD),
         with_weights=check.flag(entries.get("with_weights", False), f"{where}.with_weights"),
+        vcg_is_guess=check.flag(entries.get("vcg_is_guess", False), f"{where}.vcg_is_guess"),
         **centre,
     )
 
@@ -169,6 +171,7 @@ def entries(data):
                 "tcg": float(case.tcg),
                 "vcg": float(case.vcg),
                 **({"with_weights": True} if case.with_weights else {}),
+                **({"vcg_is_guess": True} if case.vcg_is_guess else {}),
             }
             for case in data.load_cases
         ],

@@ -40,7 +40,8 @@ class Load:
 
 @dataclass
 class LoadCase:
-    """A mass in t with its centre of gravity in m; with_weights: the ship's Weights are added."""
+    """A mass in t with its centre of gravity in m; with_weights: the ship's Weights are added;
+    vcg_is_guess: nobody gave the vcg."""
 
     name: str
     mass_t: float
@@ -48,6 +49,7 @@ class LoadCase:
     tcg: float = 0.0
     vcg: float = 0.0
     with_weights: bool = False
+    vcg_is_guess: bool = False
 
 
 @dataclass

@@ -113,6 +113,21 @@ def test_all_follows_and_is_taken_back_in_one_step():
     assert state_of(hull).scaling.noticed() is None
 
 
+def test_guesses_stay_guesses():
+    """They are scaled, and nobody has given them."""
+    hull = load("coaster")
+    loading = hull.hull.loading
+    for is_guess in (True, False):
+        loading.kg_is_guess = is_guess
+        assert bpy.ops.hull.add_load_case() == {"FINISHED"}
+    loading.kg_is_guess = True
+    kg = loading.kg
+    assert bpy.ops.hull.set_dimensions(depth=1.5 * hull.hull.depth) == {"FINISHED"}
+    assert loading.kg == close(1.5 * kg) and loading.kg_is_guess
+    assert [case.vcg_is_guess for case in loading.load_cases] == [True, False]
+    assert [case.vcg for case in loading.load_cases] == close([1.5 * kg] * 2)
+
+
 def test_the_surfaces_own_length():
     hull = load("roro")
     extents = state_of(hull).plausible.extents

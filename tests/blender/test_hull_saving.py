@@ -36,6 +36,7 @@ def loaded_hull():
         assert bpy.ops.hull.add_load_case() == {"FINISHED"}
         case = loading.load_cases[-1]
         case.name, case.mass_t, case.lcg, case.tcg, case.vcg = name, mass_t, 5.1, -0.02, 1.3
+    case.vcg_is_guess = True
     assert bpy.ops.hull.add_downflooding_point() == {"FINISHED"}
     loading.downflooding_points[0].name = "hatch"
     loading.downflooding_points[0].position = (3.3, 1.1, 3.1)
@@ -68,7 +69,7 @@ def settings_of(hull):
     return (
         [getattr(settings, name) for name in names]
         + [getattr(loading, name) for name in loads]
-        + [(c.name, c.mass_t, c.lcg, c.tcg, c.vcg) for c in loading.load_cases]
+        + [(c.name, c.mass_t, c.lcg, c.tcg, c.vcg, c.vcg_is_guess) for c in loading.load_cases]
         + [(p.name, tuple(p.position)) for p in loading.downflooding_points]
         + [getattr(settings.wind, name) for name in winds]
         + [(one.name, one.area, one.z) for one in settings.wind.areas]

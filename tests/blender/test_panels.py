@@ -138,6 +138,38 @@ def test_criteria_say_which_are_met_and_what_they_rest_on(hull):
         assert any(text.startswith("VCG 1.2 m is a guess") for text in texts()[name])
 
 
+def mirrored(hull):
+    """Now it lies to starboard, or is back again."""
+    for vertex in hull.data.vertices:
+        vertex.co.y = -vertex.co.y
+    hull.data.update()
+    part("features.hull.hull_state").refresh(hull, bpy.context.scene)
+
+
+def test_numbers_of_before_are_none_of_a_hull_with_errors(hull):
+    compute_all(hull)
+    good = texts()
+    mirrored(hull)
+    said = texts()
+    assert any("lies to starboard" in text for text in said["HULL_PT_hydrostatics"])
+    groups = [name for name in said if name.startswith("HULL_PT_hydrostatics_")]
+    assert groups == [name for name in good if name.startswith("HULL_PT_hydrostatics_")]
+    assert value_after(said["HULL_PT_hydrostatics_displacement"], "Volume ∇") == "–"
+    for name in groups:
+        assert not any(" m" in text and "." in text for text in said[name]), said[name]
+    assert "Righting levers: hull has errors" in said["HULL_PT_stability"]
+    assert "IS Code, Part A: hull has errors" in said["HULL_PT_criteria"]
+    assert "computing" not in str(said)
+    live = part("features.analyses.live_analyses")
+    assert live.latest(hull, bpy.context.scene, "righting_levers")[1] is False
+    hull.hull.plots.righting_levers = hull.hull.plots.sectional_areas = True
+    live.show_plots(hull, bpy.context.scene)
+    assert [plot.is_current for plot in live.plots().shown] == [False, False]
+    hull.hull.plots.righting_levers = hull.hull.plots.sectional_areas = False
+    mirrored(hull)
+    assert texts() == good
+
+
 def places(said):
     """By field and button at which line of its panel it stands."""
     marks = ("property ", "operator ", "list ")
@@ -225,6 +257,35 @@ def test_load_cases(hull):
     said = texts()["HULL_PT_load_cases"]
     assert "list of 1 at 0" in said and "Floats, stable" in said
     assert value_after(said, "Mean draft") == "1.000 m"
+
+
+def test_a_load_case_tells_that_its_vcg_is_a_guess_until_it_is_given(hull):
+    hull.hull.loading.kg_is_guess = True
+    bpy.ops.hull.add_load_case()
+    compute_all(hull)
+    said = texts()
+    assert value_after(said["HULL_PT_load_cases"], "VCG") == "1.200 m, a guess"
+    remarks = said["HULL_PT_stability_remarks"]
+    of_case = remarks[remarks.index("Load case 1:") + 1 :]
+    assert any(text.startswith("VCG 1.2 m is a guess") for text in of_case)
+    assert any("wind areas are not known" in text for text in of_case)
+    # The same for the load case that is loaded.
+    hull.hull.loading.loaded, hull.hull.loading.loaded_case = "CASE", "Load case 1"
+    bpy.context.view_layer.update()
+    compute_all(hull)
+    for name in ("HULL_PT_criteria", "HULL_PT_stability_remarks"):
+        assert any(text.startswith("VCG 1.2 m is a guess") for text in texts()[name])
+    case = hull.hull.loading.load_cases[0]
+    case.vcg = 1.2
+    assert not case.vcg_is_guess
+    bpy.context.view_layer.update()
+    compute_all(hull)
+    said = texts()
+    assert value_after(said["HULL_PT_load_cases"], "VCG") == "1.200 m"
+    assert "guess" not in str(said)
+    hull.hull.loading.kg = 1.3
+    bpy.ops.hull.add_load_case()
+    assert not hull.hull.loading.load_cases[1].vcg_is_guess
 
 
 def test_a_flooded_hull_is_a_quiet_line(hull):

@@ -87,6 +87,32 @@ def changed(hull, **loading):
     return drawn()
 
 
+def drawn_hydrostatics():
+    found, now = {}, context()
+    now.region.width = 300
+    panels = part("panels.hydrostatics")
+    for cls in panels.CLASSES:
+        if cls.poll(now):
+            panel = Drawn(cls)
+            panel.layout = Rows()
+            panel.draw(now)
+            found[cls.__name__] = (panel.layout.height, panel.layout.places())
+    return found
+
+
+def test_errors_of_the_mesh_move_nothing_in_hydrostatics():
+    hull = add_hull()
+    hull.hull.draft = 1.0
+    state = part("features.hull.hull_state").refresh(hull, bpy.context.scene)
+    before = drawn_hydrostatics()
+    for vertex in hull.data.vertices:
+        vertex.co.y = -vertex.co.y
+    hull.data.update()
+    part("features.hull.hull_state").refresh(hull, bpy.context.scene)
+    assert "starboard" in state.status
+    assert drawn_hydrostatics() == before and len(before) > 3
+
+
 def test_results_and_refusals_move_nothing():
     hull = add_hull()
     hull.hull.draft, loading = 1.0, hull.hull.loading

@@ -76,6 +76,7 @@ class HULL_PT_combs(HullPanel, bpy.types.Panel):
             return
         column = layout.column(align=True)
         column.scale_y = 0.8
+        column.active = not state.status  # else they are of the hull as it was
         column.label(text="Tooth for 1/m")
         for kind, group in state.fairness.combs.items():
             label_value(

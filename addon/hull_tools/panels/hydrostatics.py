@@ -9,6 +9,8 @@ from ..features.flotation import hydrostatics
 from ..features.hull import hull_state
 from .shared import HullPanel, export_buttons, field_or, label_value, label_wrapped, text_field
 
+_ROWS = 2 + len(hydrostatics.KEY_FIGURES)  # of numbers in the panel itself
+
 # Open from the start; the others unfold.
 _OPEN_GROUPS = {"Displacement", "Centres", "Stability"}
 
@@ -32,13 +34,15 @@ class HULL_PT_hydrostatics(HullPanel, bpy.types.Panel):
             return
         found = state.hydrostatics.values
         if found is None:
-            label_wrapped(
-                layout, context, state.hydrostatics.status or "No surface yet", icon="INFO"
-            )
+            said = state.status or state.hydrostatics.status or "No surface yet"
+            label_wrapped(layout, context, said, icon="INFO")
             return
-        if found.remark:
+        if found.remark and not state.status:
             label_wrapped(layout, context, found.remark, icon="ERROR")
         self._draw_appendages(layout, context, hull, state.ship)
+        if state.status:  # numbers would be those of the hull as it was
+            label_wrapped(layout, context, state.status, "ERROR", _ROWS)
+            return
         column = layout.column(align=True)
         column.scale_y = 0.8
         scene = context.scene
@@ -64,7 +68,7 @@ class HULL_PT_hydrostatics(HullPanel, bpy.types.Panel):
 
 
 class _GroupPanel(HullPanel):
-    """The numbers of one group of hydrostatics."""
+    """The numbers of one group of hydrostatics; dashes where the hull has none, as it is now."""
 
     bl_parent_id = "HULL_PT_hydrostatics"
 
@@ -82,9 +86,10 @@ class _GroupPanel(HullPanel):
             label_wrapped(self.layout, context, note)
         column = self.layout.column(align=True)
         column.scale_y = 0.8
+        values = None if state.status else state.hydrostatics.values
         for quantity in hydrostatics.QUANTITIES:
             if quantity.group == self.bl_label:
-                value = getattr(state.hydrostatics.values, quantity.name)
+                value = getattr(values, quantity.name, None)
                 label_value(
                     column, quantity.label, format_value(context.scene, value, quantity.unit)
                 )

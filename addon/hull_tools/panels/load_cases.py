@@ -7,6 +7,7 @@ from ..bridge.blender.units import format_value
 from ..bridge.objects import hull_objects
 from ..features import analyses
 from ..features.analyses import live_analyses
+from ..features.hull import hull_state
 from .shared import (
     OUTCOME_ICONS,
     OUTCOME_WORDS,
@@ -19,7 +20,7 @@ from .shared import (
     metric_field,
 )
 
-_EQUILIBRIUM_ROWS = 10
+_EQUILIBRIUM_ROWS = 11
 _STABILITY_ROWS = 4  # of these
 _MESSAGE_ROWS = 2  # of a load that floats
 
@@ -44,6 +45,7 @@ class HULL_UL_load_cases(bpy.types.UIList):
 
     def draw_item(self, context, layout, data, item, icon, active_data, active_property, index):
         outcome, is_current = analyses.last_outcome(data.id_data, context.scene, "load_cases")
+        is_current = is_current and not hull_state.is_outdated(data.id_data)
         equilibria = outcome.result if is_current and outcome is not None else None
         if equilibria is None or index >= len(equilibria):
             layout.prop(item, "name", text="", emboss=False)
@@ -101,6 +103,8 @@ class HULL_PT_load_cases(HullPanel, bpy.types.Panel):
         ):
             value = getattr(found, attribute)
             label_value(column, name, format_value(context.scene, value, unit))
+        vcg = format_value(context.scene, found.case.centre[2], "m")
+        label_value(column, "VCG", f"{vcg}, a guess" if found.case.vcg_is_guess else vcg)
         self._draw_stability(column, context, found)
 
     def _draw_stability(self, column, context, found):

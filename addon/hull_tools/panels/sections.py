@@ -19,19 +19,20 @@ class HULL_PT_sections(HullPanel, bpy.types.Panel):
         if state is not None and state.lines.status:
             label_wrapped(layout, context, state.lines.status, icon="ERROR")
         found = state.lines.groups if state is not None else {}
+        is_current = not hull_state.is_outdated(hull)
         for kind, fields in (
             ("station", ("station_count", "stations")),
             ("waterline", ("waterline_spacing", "waterlines")),
             ("buttock", ("buttock_spacing", "buttocks")),
             ("diagonal", ("diagonals",)),
         ):
-            column = self._draw_switch(layout, settings, found, kind)
+            column = self._draw_switch(layout, settings, found, kind, is_current)
             for name in fields:
                 column.prop(settings, name)
             if kind == "station" and settings.stations:
                 text_field(column, settings, "stations_in")
         for kind in ("draft", "flat", "feature"):
-            self._draw_switch(layout, settings, found, kind)
+            self._draw_switch(layout, settings, found, kind, is_current)
         if hull.hull.plates.ranges:
             layout.label(text="Frames: by the ranges of Plates")
         else:
@@ -40,13 +41,15 @@ class HULL_PT_sections(HullPanel, bpy.types.Panel):
         layout.prop(settings, "width")
         layout.operator("hull.lines_as_curves", icon="OUTLINER_OB_CURVE")
 
-    def _draw_switch(self, layout, settings, found, kind):
-        """A kind's switch, and beside it how many are shown; returns where more of it goes."""
+    def _draw_switch(self, layout, settings, found, kind, is_current):
+        """A kind's switch, and beside it how many are shown, pale where they are of the hull as it
+        was; returns where more of it goes."""
         column = layout.column(align=True)
         row = column.row(align=True)
         row.prop(settings, lines.SWITCHES[kind])
         if kind in found:
             count = row.row()
+            count.active = is_current
             count.alignment = "RIGHT"
             count.label(text=count_of(found[kind]))
         rest = column.column(align=True)

@@ -7,6 +7,7 @@ from ..bridge.blender.units import format_value, is_imperial
 from ..bridge.objects import hull_objects
 from ..features import analyses
 from ..features.analyses import live_analyses
+from ..features.hull import hull_state
 
 # What the tabs, the margins of panel and box and an icon leave of the sidebar's width, in points,
 # and the width of a letter of the interface's font on average.
@@ -101,10 +102,11 @@ def export_buttons(layout, analysis):
 
 def latest_result(layout, context, name, heading, rows=0):
     """(the result of an analysis, where to show it) below a heading, pale while a newer one is
-    computed; (None, there) and what is to be said instead, in as many lines as `rows` at least."""
+    computed, or there can be none as the hull is now; (None, there) and what is to be said instead,
+    in as many lines as `rows` at least."""
     hull = hull_objects.hull_of(context.object)
     outcome, is_current = live_analyses.latest(hull, context.scene, name)
-    layout.label(text=heading if is_current else f"{heading}: computing …")
+    layout.label(text=heading if is_current else f"{heading}: {why_old(hull)}")
     place = layout.column()
     place.active = is_current
     if outcome is None:
@@ -112,6 +114,11 @@ def latest_result(layout, context, name, heading, rows=0):
     if outcome.result is None:
         label_wrapped(place, context, outcome.message, "INFO", rows)
     return outcome.result, place
+
+
+def why_old(hull):
+    """Why a result is not of a hull as it is now, in few words after a heading."""
+    return "hull has errors" if hull_state.is_outdated(hull) else "computing …"
 
 
 def draw_entries(layout, settings, entries, active, kind):

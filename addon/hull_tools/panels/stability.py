@@ -21,6 +21,7 @@ from .shared import (
     latest_result,
     metric_field,
     text_field,
+    why_old,
 )
 
 _LEVER_ROWS = 9  # beside the areas
@@ -34,6 +35,15 @@ def _outcome(context, name):
     """The last Outcome of an analysis of the hull at hand, or None."""
     hull = hull_objects.hull_of(context.object)
     return live_analyses.latest(hull, context.scene, name)[0]
+
+
+def _chosen_case(context):
+    """What is known of the load case that is chosen in the list, or None: nothing is asked for."""
+    hull = hull_objects.hull_of(context.object)
+    outcome, is_current = analyses.last_outcome(hull, context.scene, "load_cases")
+    found = outcome.result if outcome is not None and is_current else None
+    index = hull.hull.loading.active_load_case
+    return found[index] if found and 0 <= index < len(found) else None
 
 
 class HULL_PT_stability(HullPanel, bpy.types.Panel):
@@ -183,7 +193,12 @@ class HULL_PT_stability_remarks(HullPanel, bpy.types.Panel):
         remarks = tuple(result.remarks()) if result else ()
         for remark in remarks:
             label_wrapped(self.layout, context, remark, icon="INFO")
-        if result and not remarks:
+        case = _chosen_case(context)
+        if case is not None and case.stability is not None:
+            self.layout.label(text=f"{case.case.name}:")
+            for note in case.stability.notes:
+                label_wrapped(self.layout, context, note, icon="INFO")
+        elif result and not remarks:
             self.layout.label(text="None")
 
 
@@ -210,7 +225,7 @@ class HULL_PT_plots(HullPanel, bpy.types.Panel):
     def _draw_reason(self, layout, context, hull, name):
         outcome, is_current = live_analyses.latest(hull, context.scene, name)
         if not is_current:
-            layout.label(text="Computing …")
+            layout.label(text=why_old(hull).capitalize())
         elif outcome is not None and outcome.message:
             label_wrapped(layout, context, outcome.message, icon="INFO")
 

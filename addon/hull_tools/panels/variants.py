@@ -155,7 +155,9 @@ class HULL_PT_distances(HullPanel, bpy.types.Panel):
             text = "computing …" if shown.other is None else shown.other.status
             label_wrapped(layout, context, text or "The surface is not shown", icon="INFO")
             return
-        _draw_distances(layout.column(align=True), context.scene, shown.distances)
+        column = layout.column(align=True)
+        column.active = not state.status  # else they are of the hull as it was
+        _draw_distances(column, context.scene, shown.distances)
 
 
 def _draw_distances(column, scene, found):

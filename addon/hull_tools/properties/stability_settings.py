@@ -17,12 +17,21 @@ from bpy.props import (
 from .shared import angle, changed, length, mass, switch
 
 
+def _vcg_given(settings, context):
+    settings.vcg_is_guess = False
+    changed(settings, context)
+
+
 class HullLoadCase(bpy.types.PropertyGroup):
     name: StringProperty(name="Name", default="Load case", update=changed)
     mass_t: mass("Mass t", "Mass of ship and load, in tonnes")
     lcg: length("LCG", "Centre of gravity forward of the after perpendicular", minimum=None)
     tcg: length("TCG", "Centre of gravity to port of the centre plane", minimum=None)
-    vcg: length("VCG", "Centre of gravity above the base line", minimum=None)
+    vcg: length("VCG", "Centre of gravity above the base line", minimum=None, update=_vcg_given)
+    vcg_is_guess: BoolProperty(
+        name="VCG is a guess",
+        description="Nobody gave the VCG: it is that of a load whose VCG is a guess",
+    )
     with_weights: switch(
         "And the ship's weights", "Those of Weights are added to this mass, as to a load alone"
     )

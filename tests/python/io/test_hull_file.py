@@ -221,6 +221,8 @@ def test_what_may_be_left_out(read):
     hull = read(content(load={}, load_cases=[{"mass_t": 1}], openings=[{"position": [1, 2, 3]}]))
     assert hull.load == hull_io.Load(None, 0.0, None, True)
     assert hull.load_cases == [hull_io.LoadCase("Load case", 1.0)]
+    guessed = read(content(load_cases=[{"mass_t": 1, "vcg_is_guess": True}]))
+    assert guessed.load_cases == [hull_io.LoadCase("Load case", 1.0, vcg_is_guess=True)]
     assert hull.openings == [hull_io.Opening("Opening", (1.0, 2.0, 3.0))]
 
 

@@ -60,9 +60,12 @@ class Cards:
 def latest(obj, scene, name):
     """(the last Outcome for a panel to show or None, whether it is of the hull as it is now).
 
-    That one is missed is noted in the hull's state, for `follow_wanted` to act on.
+    That one is missed is noted in the hull's state, for `follow_wanted` to act on; of a mesh with
+    errors there is none.
     """
     outcome, is_current = analyses.last_outcome(obj, scene, name)
+    if hull_state.is_outdated(obj):
+        return outcome, False
     if not is_current:
         key, since = analyses.key_of(obj, scene, name), _wanted(obj)
         if name not in since or since[name][0] != key:
@@ -119,7 +122,7 @@ def _put_on_view(found):
 def _shown_of(obj, scene, name, placement):
     """The Shown of an analysis, as a list that is empty where there is none yet."""
     if analyses.ANALYSES[name].IS_LIVE:
-        outcome, is_current = _outcome(obj, scene, name), True
+        outcome, is_current = _outcome(obj, scene, name), not hull_state.is_outdated(obj)
     else:
         outcome, is_current = latest(obj, scene, name)
     if outcome is None or outcome.result is None:

@@ -134,13 +134,27 @@ _ZERO_IS_NONE = frozenset(
 def follow(obj, scale, metric):
     """Gives a hull's settings what a hull_io.scaling.Scale in Blender's units makes of them;
     metric: the same Scale in metres."""
+    restore_guesses = _guesses(obj.hull.loading)
     for path, change in FOLLOWING.items():
         own = metric if path in _IN_METRES else scale
         _follow(obj.hull, path.split("."), change, own, path in _ZERO_IS_NONE)
+    restore_guesses()
     for entry in obj.hull.flats:
         normal, offset = scale.plane(*_plane(entry))
         flats.store_plane(obj, entry.region, (*normal, offset))
     appendage_data.follow(obj, scale)
+
+
+def _guesses(loading):
+    """A function that says again which VCGs are guesses: one that is set is taken for given."""
+    is_guess, cases = loading.kg_is_guess, [case.vcg_is_guess for case in loading.load_cases]
+
+    def restore():
+        loading.kg_is_guess = is_guess
+        for case, case_is_guess in zip(loading.load_cases, cases):
+            case.vcg_is_guess = case_is_guess
+
+    return restore
 
 
 def _plane(entry):

@@ -29,7 +29,7 @@ def give_loading(settings, hull, scale):
         entry.name, entry.mass_t = case.name, case.mass_t
         for key in _CENTRE:
             setattr(entry, key, getattr(case, key) / scale)
-        entry.with_weights = case.with_weights
+        entry.with_weights, entry.vcg_is_guess = case.with_weights, case.vcg_is_guess
     _give_weights(settings.weights, hull.weights, scale)
     for opening in hull.openings:
         entry = loading.downflooding_points.add()
@@ -82,7 +82,8 @@ def take_loading(settings, scale):
             loading.loaded_case,
         ),
         "load_cases": [
-            LoadCase(*_named_mass(case, metres), case.with_weights) for case in loading.load_cases
+            LoadCase(*_named_mass(case, metres), case.with_weights, case.vcg_is_guess)
+            for case in loading.load_cases
         ],
         "weights": Weights(
             metres(settings.weights.thickness),

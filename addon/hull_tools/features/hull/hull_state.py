@@ -69,6 +69,12 @@ def state_of(obj):
     return _states.get(obj.as_pointer())
 
 
+def is_outdated(obj):
+    """Whether what is known of a hull is of its mesh as it was, which has errors by now."""
+    state = state_of(obj)
+    return state is not None and bool(state.status)
+
+
 def known_hulls(view_layer):
     """Pairs (hull, HullState) of the hulls in a view layer of which something was computed."""
     for address, state in _states.items():

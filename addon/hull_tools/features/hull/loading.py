@@ -20,6 +20,7 @@ def add_load_case(obj, scene):
     case = loading.load_cases.add()
     case.name = f"Load case {len(loading.load_cases)}"
     case.vcg = loading.kg
+    case.vcg_is_guess = loading.kg_is_guess
     if found is not None:
         case.mass_t = found.displacement_t
         case.lcg = found.lcb / units.metres_per_unit(scene)

@@ -13,6 +13,7 @@ class Case:
     mass_t: float
     centre: tuple  # LCG, TCG, VCG in m
     with_weights: bool = False  # whether the ship's are to be added
+    vcg_is_guess: bool = False  # nobody gave it
 
 
 # The ship without load.
@@ -24,7 +25,8 @@ def cases(settings, metres_per_unit):
     entries = settings.loading.load_cases
     limits.at_most(len(entries), "load cases", limits.MOST_LOADING_ENTRIES)
     return tuple(
-        Case(*centres.named_mass(one, metres_per_unit), one.with_weights) for one in entries
+        Case(*centres.named_mass(one, metres_per_unit), one.with_weights, one.vcg_is_guess)
+        for one in entries
     )
 
 
@@ -41,4 +43,4 @@ def whole(case, parts):
         return case
     load = weights.Part(case.name, case.mass_t, case.centre)
     both = weights.total(case.name, (*parts, load))
-    return Case(case.name, both.mass_t, both.centre, True)
+    return Case(case.name, both.mass_t, both.centre, True, case.vcg_is_guess)

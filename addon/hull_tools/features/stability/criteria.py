@@ -89,7 +89,7 @@ def of_load(ship, load, given):
     }
     report = native.require().stability_criteria(ship.body, **arguments)
     weather, no_weather = _weather(ship.body, given, arguments)
-    return Result(report, weather, no_weather, tuple(_remarks(report, load, given.load)))
+    return Result(report, weather, no_weather, tuple(_remarks(report, load)))
 
 
 def _weather(body, given, arguments):
@@ -109,8 +109,8 @@ def _weather(body, given, arguments):
     return found, ""
 
 
-def _remarks(report, load, given):
-    yield from loads.remarks(load, given)
+def _remarks(report, load):
+    yield from loads.remarks(load)
     if report.deck_edge_heel == 0.0:
         yield loads.DECK_EDGE_UNDER_WATER
 

@@ -31,10 +31,13 @@ class LoadInputs:
 
 @dataclass(frozen=True)
 class Load:
+    """kg_doubt: a sentence where nobody gave the VCG, or that of a part."""
+
     mass_t: float
     lcg: float
     kg: float
     tcg: float = 0.0
+    kg_doubt: str = ""
 
     def arguments(self, given):
         """Arguments of hull_native's functions about the stability of a load. Levers are to
@@ -120,10 +123,10 @@ DECK_EDGE_UNDER_WATER = (
 )
 
 
-def remarks(found_load, given):
-    """Sentences about what the numbers of a Load of LoadInputs rest on."""
-    if given.kg_is_guess:
-        yield f"VCG {given.kg:.4g} m is a guess, six tenths of the depth: give yours."
+def remarks(found_load):
+    """Sentences about what the numbers of a Load rest on."""
+    if found_load.kg_doubt:
+        yield found_load.kg_doubt
     if found_load.tcg != 0.0:
         side = "port" if found_load.tcg > 0.0 else "starboard"
         yield (
@@ -145,9 +148,14 @@ def load(ship, given):
         mass_t = given.mass_t
         if given.lcg is None:
             lcb, kb = _buoyancy(ship.body, given)
-    if given.lcg is not None:
-        return Load(mass_t, given.lcg, given.kg)
-    return Load(mass_t, lcb + (given.kg - kb) * tan(given.where.trim), given.kg)
+    lcg = given.lcg
+    if lcg is None:
+        lcg = lcb + (given.kg - kb) * tan(given.where.trim)
+    return Load(mass_t, lcg, given.kg, kg_doubt=_doubt(given.kg) if given.kg_is_guess else "")
+
+
+def _doubt(kg, rests_on="is"):
+    return f"VCG {kg:.4g} m {rests_on} a guess, six tenths of the depth: give yours."
 
 
 def load_of(case):
@@ -156,7 +164,8 @@ def load_of(case):
         remedy = "plating or a list under Weights" if case.with_weights else "it a mass"
         raise ValueError(f"{case.name}: nothing is loaded, give {remedy}")
     lcg, tcg, vcg = case.centre
-    return Load(case.mass_t, lcg, vcg, tcg)
+    doubt = _doubt(vcg, "rests on" if case.with_weights else "is") if case.vcg_is_guess else ""
+    return Load(case.mass_t, lcg, vcg, tcg, doubt)
 
 
 def _buoyancy(body, given):

@@ -35,7 +35,7 @@ class Result:
 
     def remarks(self):
         """Sentences about what the numbers rest on."""
-        yield from loads.remarks(self.load, self.inputs.load)
+        yield from loads.remarks(self.load)
         if self.levers.deck_edge_heel == 0.0:
             yield loads.DECK_EDGE_UNDER_WATER
         if not self.levers.can_flood:
