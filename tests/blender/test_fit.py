@@ -253,47 +253,6 @@ def box_target(deck_too):
     return obj
 
 
-def decked_box():
-    """The box with a deck of two by two faces, its middle point 0.4 m up."""
-    hull = add_hull()
-    mesh = hull.data
-    points = [vertex.co[:] for vertex in mesh.vertices]
-    faces = [tuple(polygon.vertices) for polygon in mesh.polygons]
-    top = {(x, y): points.index((x, y, 3.0)) for x in (0.0, 10.0) for y in (0.0, 2.0)}
-    number = len(points)
-    points += [(5.0, 0.0, 3.0), (5.0, 2.0, 3.0), (0.0, 1.0, 3.0), (10.0, 1.0, 3.0), (5.0, 1.0, 3.4)]
-    keel, side, aft, fore, middle = range(number, number + 5)
-    a, b, c, d = top[0.0, 0.0], top[0.0, 2.0], top[10.0, 2.0], top[10.0, 0.0]
-    deck = [(a, keel, middle, aft), (keel, d, fore, middle), (aft, middle, side, b)]
-    deck.append((middle, fore, c, side))
-    low = {(x, y): points.index((x, y, 0.0)) for x in (0.0, 10.0) for y in (0.0, 2.0)}
-    hull_faces = [(low[0.0, 2.0], b, side, c, low[10.0, 2.0]), faces[1]]
-    hull_faces += [(low[0.0, 0.0], a, aft, b, low[0.0, 2.0])]
-    hull_faces += [(low[10.0, 0.0], low[10.0, 2.0], c, fore, d)]
-    mesh.clear_geometry()
-    mesh.from_pydata(points, [], hull_faces + deck)
-    inner = {tuple(sorted((middle, other))) for other in (keel, side, aft, fore)}
-    edges = [edge.index for edge in mesh.edges if tuple(sorted(edge.vertices)) not in inner]
-    part("bridge.blender.blender_versions").set_creases(mesh, edges, [])
-    bpy.context.view_layer.update()
-    assert wanted(hull).mesh.face_count == 8
-    return hull, middle
-
-
-def test_a_deck_without_target_is_left_alone():
-    hull, middle = decked_box()
-    hull.hull.fit.target = box_target(False)
-    hull.hull.fit.fairness = 1e-2
-    before = points_of(hull)
-    assert bpy.ops.hull.fit() == {"FINISHED"}
-    report, _ = part("features.fitting.fitting").last_report(hull)
-    assert report.faces_alone == 4
-    assert (points_of(hull)[middle] == before[middle]).all()
-    assert np.abs(points_of(hull) - before).max() > 0.05
-    rows = dict(part("features.fitting.fitting").rows(report))
-    assert rows["Faces without target"] == "4"
-
-
 def test_a_target_that_is_mostly_left_out_is_warned_of():
     hull = add_hull()
     hull.hull.fit.target = box_target(True)

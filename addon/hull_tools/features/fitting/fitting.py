@@ -72,8 +72,8 @@ class Fitting(jobs.JobTask):
         surface = hull_native.LimitSurface(
             hull_native.ControlMesh(*control.arguments()), found.scheme
         )
-        targets, options, self._faces_alone = _arguments(obj, surface, control, self.scale)
-        self._targets = targets
+        self._targets, options, self._alone = _arguments(obj, surface, control, self.scale)
+        targets = self._targets[~self._alone.is_beside]
         self._job = jobs.Job(
             lambda progress: hull_native.fit_surface(surface, targets, progress=progress, **options)
         )
@@ -90,7 +90,7 @@ class Fitting(jobs.JobTask):
         report = state.of(LastFit).report = Report(
             state.ship.geometry_key,
             fit.counted,
-            len(fit.distances) - fit.counted,
+            len(self._targets) - fit.counted,
             fit.rms,
             fit.largest,
             np.array(fit.largest_place),
@@ -98,14 +98,14 @@ class Fitting(jobs.JobTask):
             fit.settled,
             float(np.sqrt((apart**2).mean())),
             float(apart.max()),
-            self._faces_alone,
+            self._alone.face_count,
         )
         return report
 
 
 def _arguments(obj, surface, control, scale):
-    """(targets, the other arguments) of hull_native.fit_surface, and how many faces are left alone
-    for want of a target."""
+    """(all targets, the arguments of hull_native.fit_surface beside them, the coverage.Uncovered
+    that is left alone for want of a target): targets beside that do not count."""
     hull_native, settings = native.require(), obj.hull.fit
     limits.within(settings.samples, "Points", *limits.FIT_POINTS)
     limits.within(settings.fairness, "Fairness", 0.0, limits.GREATEST_FAIRNESS)
@@ -118,21 +118,21 @@ def _arguments(obj, surface, control, scale):
     curves += fit_targets.centre_curves(target, hull_native.crease_curves(surface), reach)
     moves = move_limits.of_hull(obj, control.vertex_ids, control.points, size)
     turned = _turned_as(surface, target, reach)
-    alone, faces_alone = coverage.uncovered(control, surface, target.points, turned, reach)
-    moves = moves.with_locked(alone)
+    alone = coverage.uncovered(control, surface, target.points, turned, reach)
+    moves = moves.with_locked(alone.points)
     limits_of_moves = (
         moves.reshape_arguments(surface) if settings.stay_square else moves.arguments()
     )
     options = {
         **limits_of_moves,
-        "normals": turned,
+        "normals": None if turned is None else turned[~alone.is_beside],
         "curves": curves,
         "fairness": settings.fairness,
         "stiffness": settings.stiffness,
         "reach": reach,
         "draw_border": settings.draw_border,
     }
-    return target.points, options, faces_alone
+    return target.points, options, alone
 
 
 def _turned_as(surface, target, reach):
