@@ -4,6 +4,7 @@
 import errno
 import os
 import shutil
+import stat
 import tempfile
 from pathlib import Path
 
@@ -17,15 +18,13 @@ class FolderBeside:
     def __enter__(self):
         parent = self._targets[0].parent
         for target in self._targets:
-            if target.is_dir():
-                raise OSError(errno.EISDIR, f"{target} is a folder: choose another name")
-            if target.exists() and not target.is_file():
-                raise OSError(errno.EEXIST, f"{target} is no file: choose another name")
+            _check(target)
         try:
             self._path = Path(tempfile.mkdtemp(prefix=".hull-", dir=parent))
         except OSError as error:
             raise OSError(
-                error.errno, f"Nothing can be written to the folder {parent}: {error.strerror}"
+                f"Nothing can be written to the folder {parent} ({error.strerror}): choose one "
+                "that is there and that you may write to"
             ) from error
         return self
 
@@ -39,3 +38,29 @@ class FolderBeside:
 
     def __exit__(self, *unused):
         shutil.rmtree(self._path, ignore_errors=True)
+
+
+def _check(target):
+    """OSError, in the words of all writers, for what can't be a file's name, and for what is there
+    and no file. It has no number, which would stand before the words."""
+    if any(ord(letter) < 0x20 or ord(letter) == 0x7F for letter in target.name):
+        raise OSError(
+            f"Cannot write {str(target)!r}: a file's name can't have line breaks or control "
+            "characters; give it another"
+        )
+    try:
+        mode = os.stat(target).st_mode
+    except OSError as error:
+        if error.errno in (errno.ENOENT, errno.ENOTDIR, errno.EACCES):
+            return  # there is nothing, or the folder tells
+        is_long = error.errno == errno.ENAMETOOLONG
+        reason = (
+            "the name is too long; shorten it" if is_long else f"{error.strerror}; give another"
+        )
+        raise OSError(f'Cannot write "{target}": {reason}') from error
+    if stat.S_ISDIR(mode):
+        raise OSError(f'Cannot write "{target}": it is a folder; give a file name')
+    if not stat.S_ISREG(mode):
+        raise OSError(
+            f'Cannot write "{target}": it is a device or pipe and no file; give another name'
+        )
