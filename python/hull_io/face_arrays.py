@@ -4,14 +4,13 @@
 import numpy as np
 
 from .limits import FURTHEST_POINT
+from .real_points import real_points
 
 
 def checked_faces(points, faces, corners):
     """(points (n, 3), faces (m, corners)) as arrays; ValueError for points that are no places
     within reach, and for faces of other points."""
-    points, faces = np.asarray(points, dtype=float), np.asarray(faces)
-    if points.ndim != 2 or points.shape[1] != 3:
-        raise ValueError(f"points must have shape (n, 3), not {points.shape}.")
+    points, faces = real_points(points), np.asarray(faces)
     if faces.ndim != 2 or faces.shape[1] != corners or not len(faces):
         raise ValueError(f"faces must have shape (m, {corners}), not {faces.shape}.")
     if not np.isfinite(points).all() or np.abs(points).max(initial=0.0) > FURTHEST_POINT:

@@ -22,6 +22,7 @@ from .freeship_points import border_edges, point_kinds
 from .freeship_units import FOOT, POUND_PER_CUBIC_FOOT, plating_units
 from .hull_data import edge_key, face_edges, shell_face_indices
 from .limits import FURTHEST_POINT, MAX_COUNT
+from .real_points import real_points
 from .subdivision import subdivided
 
 VERSION = 201
@@ -49,6 +50,7 @@ def freeship_content(data, unit="m", file_name="hull.fbm"):
     """The bytes of the file, and the sentences, as write_freeship tells."""
     if unit not in ("m", "ft"):
         raise ValueError(f'The unit "{unit}" is unknown to FREE!ship: choose "m" or "ft"')
+    data = replace(data, points=real_points(data.points))
     _check(data, file_name)
     scale = 1.0 if unit == "m" else FOOT
     in_unit = replace(data, points=data.points / scale)

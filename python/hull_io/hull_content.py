@@ -18,6 +18,7 @@ from .checked_json import shown
 from .cleanup import creases_of_faces
 from .hull_data import HullData, Layer, Particulars, edge_key, face_edges
 from .limits import FURTHEST_POINT, LONGEST_DIMENSION, MAX_COUNT
+from .real_points import real_points
 
 REQUIRED = ("half", "points", "faces")
 OPTIONAL = (
@@ -192,7 +193,7 @@ def entries(data):
         "source": data.source,
         "half": bool(data.half),
         "particulars": {key: float(getattr(data.particulars, key)) for key in PARTICULARS},
-        "points": data.points.tolist(),
+        "points": real_points(data.points).tolist(),
         "faces": [[int(point) for point in face] for face in data.faces],
         "creases": [[int(a), int(b)] for a, b in data.creases],
         "corners": [int(point) for point in data.corners],

@@ -11,6 +11,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from .real_points import real_array, real_points
 from .ship_data import Afloat, Load, Resistance, Weights
 from .wanted import Targets
 
@@ -234,7 +235,7 @@ class HullData:
     notes: list = field(default_factory=list)
 
     def __post_init__(self):
-        self.points = np.asarray(self.points, dtype=np.float64).reshape(-1, 3)
+        self.points = real_array(self.points).reshape(-1, 3)
         if not self.face_layers:
             self.face_layers = [0] * len(self.faces)
 
@@ -290,7 +291,8 @@ def shell_arrays(data):
     """The shell's faces with the points, creases and corners that belong to them.
 
     Points that no shell face uses are left out and the others keep their order; so are creases
-    that are no edge of a shell face and corners that are no point of one.
+    that are no edge of a shell face and corners that are no point of one. ValueError for points
+    that are no real numbers.
     """
     face_indices = shell_face_indices(data)
     faces = [data.faces[index] for index in face_indices]
@@ -301,7 +303,7 @@ def shell_arrays(data):
     corners = [new_index[point] for point in data.corners if point in new_index]
     vertices = [new_index[point] for face in faces for point in face]
     return ShellArrays(
-        points=np.ascontiguousarray(data.points[used]),
+        points=np.ascontiguousarray(real_points(data.points)[used]),
         face_sizes=np.array([len(face) for face in faces], dtype=np.int32),
         face_vertices=np.array(vertices, dtype=np.int32),
         creases=np.array(creases, dtype=np.int32).reshape(-1, 2),

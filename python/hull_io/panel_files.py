@@ -12,6 +12,7 @@ import numpy as np
 
 from .bytes_on_disk import write_bytes
 from .face_arrays import checked_faces, lines_of
+from .real_points import real_points
 
 GRAVITY = 9.80665
 # WAMIT's own (manual, 6.1): a header's letters, the least ULEN, and, of ULEN and its square, what
@@ -30,7 +31,7 @@ def gdf_title(name):
 
 def panel_areas(points, panels):
     """(m,) of panels, by half the cross product of the diagonals."""
-    a, b, c, d = np.asarray(points, dtype=float)[np.asarray(panels)].transpose(1, 0, 2)
+    a, b, c, d = real_points(points)[np.asarray(panels)].transpose(1, 0, 2)
     return 0.5 * np.linalg.norm(np.cross(c - a, d - b), axis=1)
 
 

@@ -12,6 +12,7 @@ import numpy as np
 from .bytes_on_disk import read_bytes, write_bytes
 from .errors import HullFileError
 from .limits import FURTHEST_POINT, MAX_STL_BYTES, MAX_STL_TEXT_BYTES
+from .real_points import real_points
 
 _HEADER = 84
 _RECORD = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attribute", "<u2")])
@@ -54,7 +55,7 @@ def write_stl(path, points, triangles):
 
 def bytes_of_stl(points, triangles):
     """The bytes of such a file."""
-    points, triangles = np.asarray(points, dtype=float), np.asarray(triangles)
+    points, triangles = real_points(points), np.asarray(triangles)
     if not np.isfinite(points).all() or np.abs(points).max(initial=0.0) > FURTHEST_POINT:
         raise ValueError(f"A point is no place within {FURTHEST_POINT:.0f} m: check the units.")
     if triangles.size and not (0 <= triangles.min() and triangles.max() < len(points)):
