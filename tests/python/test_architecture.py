@@ -10,15 +10,8 @@ import pytest
 ROOT = Path(__file__).resolve().parents[2]
 PAGE = (ROOT / "docs" / "architecture.md").read_text(encoding="utf-8")
 TOPS = ("native", "python", "addon", "samples", "scripts", "tests", "docs", "cmake")
-# Folders whose own folders all have a row.
-PARENTS = (
-    "native", "native/surface", "native/analysis", "native/conversion", "native/drawing",
-    "native/bindings", "native/modelling", "native/morphing", "python", "addon/hull_tools",
-    "addon/hull_tools/bridge",
-    "addon/hull_tools/features", "tests",
-)  # fmt: skip
-# What tests keep for themselves.
-WITHOUT_ROW = {"tests/__pycache__"}
+# What other programs leave in the tree.
+LEFT = {"__pycache__", ".pytest_cache"}
 
 NAMED = re.findall(r"`([\w./-]+)`", PAGE)
 PATHS = sorted({name for name in NAMED if name.split("/")[0] in TOPS})
@@ -36,15 +29,42 @@ def test_short_names_of_features_are_there():
             assert (ROOT / "addon" / "hull_tools" / name).is_dir(), name
 
 
-@pytest.mark.parametrize("parent", PARENTS)
-def test_what_is_there_is_named(parent):
-    folders = {
-        f"{parent}/{path.name}"
-        for path in (ROOT / parent).iterdir()
-        if path.is_dir() and any(path.rglob("*.[hcp]*")) and path.name != "__pycache__"
+def folders_below(path):
+    """All folders with a file in them, below a folder; each as its path from the root."""
+    for inner in sorted(path.iterdir()):
+        if inner.is_dir() and inner.name not in LEFT:
+            if any(one.is_file() and not LEFT & set(one.parts) for one in inner.rglob("*")):
+                yield str(inner.relative_to(ROOT))
+            yield from folders_below(inner)
+
+
+def has_its_name(folder):
+    """Whether a folder's name says what it is for: tests of a layer, pictures of a page."""
+    path = Path(folder)
+    return {
+        "tests/native": (ROOT / "native" / path.name).is_dir(),
+        "docs/images": path.name == "panels" or (ROOT / f"docs/{path.name}.md").is_file(),
+    }.get(str(path.parent), False)
+
+
+@pytest.mark.parametrize("top", TOPS)
+def test_all_folders_are_named(top):
+    folders = [one for one in folders_below(ROOT / top) if not has_its_name(one)]
+    assert [one for one in folders if one not in PATHS] == []
+
+
+def test_folders_at_any_depth_are_found():
+    folders = set(folders_below(ROOT / "native"))
+    assert {"native/production", "native/production/segments"} <= folders
+    assert not any("__pycache__" in one for one in folders_below(ROOT / "tests"))
+
+
+def test_modules_beside_the_folders_of_the_addon_are_named():
+    modules = {
+        str(path.relative_to(ROOT)) for path in (ROOT / "addon" / "hull_tools").glob("[!_]*.py")
     }
-    assert folders
-    assert folders - set(PATHS) - WITHOUT_ROW == set()
+    assert modules
+    assert modules - set(PATHS) == set()
 
 
 def test_top_folders_are_named():
