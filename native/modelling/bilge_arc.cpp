@@ -148,8 +148,8 @@ struct FitSamples {
   Eigen::Index count() const { return static_cast<Eigen::Index>(fixed.size()); }
 };
 
-// Lawson's iteration: least squares, whose weights grow where the deviation is large. The weighted
-// mean is a lower bound of the least largest deviation, for what is nearly linear.
+// Lawson's iteration (1961): least squares, whose weights grow where the deviation is large. The
+// weighted mean is a lower bound of the least largest deviation, for what is nearly linear.
 Eigen::VectorXd minimax(const BilgeShape& shape, const RoundedCorner& wanted) {
   const FitSamples samples(shape);
   const Eigen::Index n = samples.count(), m = shape.unknowns();

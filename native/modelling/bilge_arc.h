@@ -32,7 +32,7 @@ struct BilgeArc {
 
 // The arc whose largest deviation is the least: `count` points between the borders, the first in
 // the plane of the bottom and the last in that of the side, so that the section leaves these
-// without a knuckle. A minimax fit by Lawson's weights, to about 1e-3 of the deviation.
+// without a knuckle. A minimax fit by Lawson's weights (1961), to about 1e-3 of the deviation.
 //
 // Throws std::invalid_argument unless count is kFewestBilgePoints to kMostBilgePoints, the angle
 // (radians) between 10 and 170 degrees, and outer points a twentieth of the radius away or more,

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Michell's integral on exact surfaces: Wigley's hull by its closed form, scaling, derivatives by
-differences, the spectrum's energy; and the ITTC line."""
+"""Michell's integral on exact surfaces: Wigley's hull (1942) by its closed form, scaling,
+derivatives by differences, the spectrum's energy; and the ITTC 1957 line."""
 
 import math
 

@@ -209,7 +209,7 @@ def half_hull(name):
     number = {v: i for i, v in enumerate(used)}
     faces = [[number[v] for v in f] for f in faces]
     loop, n = [number[v] for v in loop], len(used)
-    # By Tutte: inner points at the mean of their neighbours, within a convex border.
+    # By Tutte 1963: inner points at the mean of their neighbours, within a convex border.
     matrix, right = np.eye(n), np.zeros((n, 2))
     near = np.zeros((n, n), bool)
     for a, b in edges:

@@ -156,7 +156,7 @@ def test_modified_mean_line():
 
 
 def coefficients(form, a):
-    """A0 at no angle, A1 and A2 of Glauert's series of the mean line's slope."""
+    """A0 at no angle, A1 and A2 of Glauert's series (1926) of the mean line's slope."""
 
     def mean(factor):
         breaks = [0.0, np.arccos(1 - 2 * a), np.pi] if 0 < a < 1 else [0.0, np.pi]

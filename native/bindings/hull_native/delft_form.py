@@ -66,7 +66,7 @@ class DelftFin:
 
     @property
     def form_factor(self):
-        """1 + k by Hoerner, 1 + 2 t/c + 60 (t/c)⁴."""
+        """1 + k by Hoerner (1965), 1 + 2 t/c + 60 (t/c)⁴."""
         return 1.0 + 2.0 * self.thickness + 60.0 * self.thickness**4
 
 

@@ -67,7 +67,7 @@ class PlaningResult:
 
 
 def attc_1947(reynolds_number):
-    """CF of Schoenherr's line, 0.242 / √CF = log10(Rn CF), to rounding. ValueError as
+    """CF of Schoenherr's line (1932), 0.242 / √CF = log10(Rn CF), to rounding. ValueError as
     ittc_1957()."""
     root = math.sqrt(ittc_1957(reynolds_number))
     for _ in range(50):  # Newton's steps in √CF, on a function that is convex

@@ -167,8 +167,8 @@ double Smoothing::error_of(std::vector<double>* of_points) const {
   return sum;
 }
 
-// Schoenberg and Whitney's condition: each coefficient has a point of its own inside its support.
-// Those that are not free need none, and take none.
+// Schoenberg and Whitney's condition (1953): each coefficient has a point of its own inside its
+// support. Those that are not free need none, and take none.
 bool Smoothing::has_points_enough(const std::vector<double>& knots) const {
   const SplineEnds at_ends = ends(knots);
   const Index unknowns = static_cast<Index>(knots.size()) - order();

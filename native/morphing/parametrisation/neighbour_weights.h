@@ -11,7 +11,7 @@ namespace hull::morphing {
 enum class WeightKind {
   kShapePreserving,  // Floater 1997: plane meshes keep their shape
   kMeanValue,        // Floater 2003: the same, and smooth in the points
-  kUniform           // Tutte: for comparison; no regard to shape
+  kUniform           // Tutte 1963: for comparison; no regard to shape
 };
 
 struct NeighbourWeight {

@@ -11,8 +11,8 @@ namespace hull::network {
 // The surface within a ring of sides with their tangent ribbons (Koelman 1999, 2.3.1, 2.3.3.2 and
 // 5.4.1.3):
 //
-// - four sides: Coons' bicubic patch with Gregory's twists (Gregory 1982), over the unit square. It
-//   reproduces bicubic surfaces.
+// - four sides: Coons' bicubic patch (Coons 1967) with Gregory's twists (Gregory 1982), over the
+//   unit square. It reproduces bicubic surfaces.
 // - three, and five and more: corner patches u_j = d_(j-1) / (d_(j-1) + d_(j+1)), v_j = d_j /
 //   (d_(j-2) + d_j), d the distances from the sides of a regular polygon in the unit circle,
 //   weighted by the squared distances from the sides that are not at the corner, with Gregory's

@@ -19,8 +19,8 @@ namespace {
 constexpr double kL = 40.0, kB = 8.0, kD = 5.0;
 
 // ∫ (t - n·p)^power / power! over the box [0, a]³ below n·p = t, for n > 0: the divided differences
-// of a truncated power (Schoenberg's formula for the volume of a cube's slice). They cancel where n
-// is almost square to an axis, hence the longer numbers.
+// of a truncated power, as for the volume of a cube's slice. They cancel where n is almost
+// square to an axis, hence the longer numbers.
 double box_moment(const Vector3d& n, const Vector3d& sides, long double t, int power) {
   long double sum = 0.0, factorial = 1.0, product = 1.0;
   for (int k = 2; k <= power + 3; ++k) factorial *= k;
