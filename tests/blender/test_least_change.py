@@ -50,12 +50,12 @@ def test_samples(name):
 
 def test_what_is_kept_stays():
     hull = sample("bulk_carrier")
-    parents, particulars = (
-        part(f"features.transformation.{name}") for name in ("parents", "particulars")
+    parents, form_parameters = (
+        part(f"features.transformation.{name}") for name in ("parents", "form_parameters")
     )
     start = points_of(hull)
     x = parents.of_hull(hull, bpy.context.scene).control.points[:, 0]
-    aft, forward = particulars.parallel_body(parents.of_hull(hull, bpy.context.scene))
+    aft, forward = form_parameters.parallel_body(parents.of_hull(hull, bpy.context.scene))
     assert forward - aft > 50.0
     inside = (x >= aft) & (x <= forward)
     centre = np.abs(start[:, 1]) <= 1e-6

@@ -30,7 +30,7 @@ def add(kind, **asked):
 
 
 def numbers(hull):
-    return part("features.transformation.particulars").of_hull(hull, bpy.context.scene)
+    return part("features.transformation.form_parameters").of_hull(hull, bpy.context.scene)
 
 
 def extent(hull):

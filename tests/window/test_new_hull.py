@@ -36,7 +36,7 @@ def type_in_panel(window, place, text):
 
 
 def block_of(hull):
-    found, _ = part("features.transformation.particulars").of_hull(hull, bpy.context.scene)
+    found, _ = part("features.transformation.form_parameters").of_hull(hull, bpy.context.scene)
     return found.block
 
 

@@ -152,7 +152,7 @@ class HULL_OT_add_hull(bpy.types.Operator, BaseOperator):
         form = made_after.Form(*(value if use else None for value, use in zip(values, asked)))
         lengths = self._lengths(scene)
         obj, found = made_after.add(self.kind, lengths, form, scene, context.collection)
-        return obj, f"; {reports.particulars(found, scene)}"
+        return obj, f"; {reports.form_parameters(found, scene)}"
 
     def draw(self, context):
         layout = self.layout

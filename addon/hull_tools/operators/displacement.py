@@ -7,7 +7,7 @@ from bpy.props import BoolProperty, EnumProperty, FloatProperty
 from ..bridge import limits
 from ..bridge.blender import units
 from ..bridge.objects import hull_objects
-from ..features.transformation import halves, least_change, particulars, reports, section_shifts
+from ..features.transformation import form_parameters, halves, least_change, reports, section_shifts
 from ..properties.outline_settings import keep_deck, keep_profile, keep_side
 from .shared import HullOperator, asked_length, asked_number, can_change, property_column
 from .tasks import TaskOperator
@@ -70,7 +70,7 @@ class Displacement:
     def present(self, hull, scene):
         """What the properties begin with, by their names."""
         scale = units.metres_per_unit(scene)
-        found, parallel_length = particulars.of_hull(hull, scene)
+        found, parallel_length = form_parameters.of_hull(hull, scene)
         return {
             "block": found.block,
             "prismatic": found.prismatic,

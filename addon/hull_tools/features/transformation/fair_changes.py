@@ -11,7 +11,7 @@ from ...bridge.blender import units
 from ...bridge.counts import counted
 from ..fairing import seen_marks
 from ..hull import form_before
-from . import particulars
+from . import form_parameters
 from .parent_task import ParentTask
 
 # Of the work: the form before is judged itself, and six images of it; then some dozen counts.
@@ -59,7 +59,7 @@ class NewMarks:
         parallel = ()
         if self._asked.parallel:
             body = self._body(surface.mesh.points)
-            parallel = particulars.parallel_of(body, self._position, self._parent.where)
+            parallel = form_parameters.parallel_of(body, self._position, self._parent.where)
         held, normals = fair_changes.held_form(surface, parallel)
         tied, directions = hull_native.square_ties(surface)
         return {

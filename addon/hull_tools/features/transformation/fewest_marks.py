@@ -7,7 +7,7 @@ from functools import partial
 
 from ....hull_fairness import changes, fewest_marks
 from ...bridge.counts import counted
-from . import fair_changes, least_change, particulars, reports, section_shifts
+from . import fair_changes, form_parameters, least_change, reports, section_shifts
 from .parent_task import ParentTask
 
 # Of the work: the form before is judged itself, and six images of it.
@@ -28,10 +28,10 @@ class Asked:
 @dataclass(frozen=True)
 class Changed:
     """tried: [hull_fairness.fewest_marks.Tried], of which the first was taken; after:
-    particulars.Particulars."""
+    form_parameters.FormParameters."""
 
     tried: list
-    after: particulars.Particulars
+    after: form_parameters.FormParameters
 
 
 class FewestMarks(ParentTask):
@@ -100,7 +100,7 @@ class FewestMarks(ParentTask):
         tried = self.result()
         state = self.moved(scene, tried[0].moves, self._known)
         found = state.ship.as_it_is().hydrostatics(self.parent.where)
-        return Changed(tried, particulars.of_hydrostatics(found))
+        return Changed(tried, form_parameters.of_hydrostatics(found))
 
 
 def _again(found):
@@ -113,7 +113,7 @@ def _again(found):
 def summary(changed, scene):
     """Changed as (a sentence, whether new marks are left)."""
     best, *others = changed.tried
-    text = f"{reports.particulars(changed.after, scene)}; by {best.name}: {_marks(best)}"
+    text = f"{reports.form_parameters(changed.after, scene)}; by {best.name}: {_marks(best)}"
     for one in others:
         text += f"; by {one.name}: {'out of reach' if one.refusal else _marks(one)}"
     return text, bool(best.new)

@@ -7,9 +7,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...bridge import limits, native
+from ...bridge.mesh.mesh_check import on_centre_plane
 from ..constraints import held_points
-from ..lines import lines
-from . import particulars
+from . import form_parameters
 from .parent_task import ParentTask
 
 # What hull_native.FORM_NUMBERS has for measures of displacement.
@@ -61,9 +61,9 @@ class Asked:
 
 @dataclass(frozen=True)
 class Changed:
-    """after: particulars.Particulars; rms: of the surface's shift, m."""
+    """after: form_parameters.FormParameters; rms: of the surface's shift, m."""
 
-    after: particulars.Particulars
+    after: form_parameters.FormParameters
     rms: float
 
 
@@ -82,12 +82,12 @@ class LeastMoves:
         points = parent.control.points
         x, low, high = points[:, 0], *parent.ends
         if asked.parallel:
-            aft, forward = particulars.parallel_body(parent)
+            aft, forward = form_parameters.parallel_body(parent)
             inside = (x >= aft) & (x <= forward) & (forward > aft)
             found["locked"] = np.union1d(found["locked"], np.flatnonzero(inside))
         margin = _ENDS * (high - low)
         holds = (
-            (asked.heights, held_points.on_centre(points, lines.size_of(parent.surface)), 2),
+            (asked.heights, on_centre_plane(points), 2),
             (asked.length, (x <= low + margin) | (x >= high - margin), 0),
         )
         for is_wanted, are_held, axis in holds:
@@ -147,5 +147,5 @@ class LeastChange(ParentTask):
         what it was."""
         reached, where = self.result(), self.parent.where
         state = self.moved(scene, reached.moves)
-        after = particulars.of_hydrostatics(state.ship.as_it_is().hydrostatics(where))
+        after = form_parameters.of_hydrostatics(state.ship.as_it_is().hydrostatics(where))
         return Changed(after, reached.rms)

@@ -13,17 +13,17 @@ def shifted(found, scene):
     halves = ""
     if found.prismatics is not None:
         halves = f"Cp fore {found.prismatics.fore:.4f}, aft {found.prismatics.aft:.4f}; "
-    return f"{halves}{particulars(after, scene)}: {shifts}; {residual(result)}"
+    return f"{halves}{form_parameters(after, scene)}: {shifts}; {residual(result)}"
 
 
 def changed(found, scene):
     """A least_change.Changed as a sentence."""
     rms = units.format_mm(found.rms)
-    return f"{particulars(found.after, scene)}; the surface shifts by {rms} RMS"
+    return f"{form_parameters(found.after, scene)}; the surface shifts by {rms} RMS"
 
 
-def particulars(found, scene):
-    """Particulars in words."""
+def form_parameters(found, scene):
+    """A form_parameters.FormParameters in words."""
     return (
         f"Cb {found.block:.4f}, Cp {found.prismatic:.4f}, "
         f"∇ {units.format_value(scene, found.volume, 'm3')}, "

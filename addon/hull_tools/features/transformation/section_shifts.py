@@ -4,8 +4,8 @@
 from dataclasses import dataclass
 
 from ...bridge import native
-from . import halves, parents, particulars
-from .particulars import Particulars, parallel_body
+from . import form_parameters, halves, parents
+from .form_parameters import FormParameters, parallel_body
 
 NO_END = "The search did not end: ask for a smaller change, or keep less"
 
@@ -36,8 +36,8 @@ class Shifted:
     prismatics: halves.Prismatics after it where they were wanted."""
 
     result: object
-    before: Particulars
-    after: Particulars
+    before: FormParameters
+    after: FormParameters
     part: str
     prismatics: object = None
 
@@ -60,7 +60,7 @@ def shift(obj, scene, wanted):
     parent = parents.of_hull(obj, scene)
     where, position = parent.where, parent.position()
     length, shift = _length(parent), new_shift(parent, wanted)
-    before = particulars.of_parent(parent)
+    before = form_parameters.of_parent(parent)
     if wanted.prismatics is None:
         result = shift.solve(**wanted.volume, lcb=wanted.lcb)
     else:
@@ -73,7 +73,9 @@ def shift(obj, scene, wanted):
     reached = None
     if wanted.prismatics is not None:
         reached = halves.prismatics(state.ship.source.alone.new_ship().body, position, length)
-    return Shifted(result, before, particulars.of_hydrostatics(found), wanted.shifted_part, reached)
+    return Shifted(
+        result, before, form_parameters.of_hydrostatics(found), wanted.shifted_part, reached
+    )
 
 
 def new_shift(parent, wanted):

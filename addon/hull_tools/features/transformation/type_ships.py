@@ -11,7 +11,7 @@ from ....hull_io.new_hulls.type_ships import TYPE_SHIPS, as_new
 from ....hull_io.reading import read_hull
 from ...bridge import native
 from ..hull import hull_creation, samples
-from . import parents, particulars, section_shifts
+from . import form_parameters, parents, section_shifts
 
 # The smoothest way first; it reaches less far.
 _PARTS = ("fair", "whole")
@@ -39,7 +39,7 @@ def _sample(kind):
 
 @cache
 def usual(kind):
-    """(Particulars, Form) of the type ship as she is."""
+    """(FormParameters, Form) of the type ship as she is."""
     data, hull_native = _sample(kind), native.require()
     ship, shell = data.particulars, shell_arrays(data)
     surface = hull_native.LimitSurface(hull_native.ControlMesh(*shell.arguments()), data.scheme)
@@ -52,7 +52,8 @@ def usual(kind):
 
 
 def add(kind, lengths, form, scene, collection):
-    """A new hull object after a type ship, in a collection: (object, particulars.Particulars).
+    """A new hull object after a type ship, in a collection: (object,
+    form_parameters.FormParameters).
 
     lengths: Lpp, beam, draft and depth in m; form: a Form, which sections are shifted to along the
     ship. What of displacement and LCB is not wanted stays as it is without. ValueError where that
@@ -62,7 +63,7 @@ def add(kind, lengths, form, scene, collection):
     obj = hull_creation.hull_object(data, scene, collection)
     try:
         parent = parents.of_hull(obj, scene)
-        found = particulars.of_parent(parent)
+        found = form_parameters.of_parent(parent)
         if form.is_wanted:
             found = _shifted(obj, scene, form, found, parent.where.length_pp)
     except ValueError:

@@ -11,7 +11,7 @@ _LEAST_PARALLEL = 1e-3
 
 
 @dataclass(frozen=True)
-class Particulars:
+class FormParameters:
     """Of a hull as it lies in the water, m, m³ and t. lcb: x; lcb_percent: of Lpp forward of
     midship."""
 
@@ -24,14 +24,15 @@ class Particulars:
 
 
 def of_hull(obj, scene):
-    """(the Particulars of a hull as it is, the length of its parallel middle body in m; 0: none)"""
+    """(the FormParameters of a hull as it is, the length of its parallel middle body in m; 0:
+    none)"""
     parent = parents.of_hull(obj, scene)
     aft, forward = parallel_body(parent)
     return of_parent(parent), forward - aft
 
 
 def of_parent(parent):
-    """The Particulars of a parents.Parent."""
+    """The FormParameters of a parents.Parent."""
     where = parent.where
     return of_hydrostatics(
         native.require().hydrostatics(parent.body, **where.position(), **where.project())
@@ -39,8 +40,8 @@ def of_parent(parent):
 
 
 def of_hydrostatics(found):
-    """The Particulars of hull_native.Hydrostatics."""
-    return Particulars(
+    """The FormParameters of hull_native.Hydrostatics."""
+    return FormParameters(
         found.project.block,
         found.project.prismatic,
         found.displaced_volume,
