@@ -2,9 +2,11 @@
 """Layers made of selected faces, and those without faces removed: surface, numbers and plating know
 of it. The box is 10 × 4 × 3 m; its half has side, bottom, aft end, forward end."""
 
+import json
+
 import bpy
 import pytest
-from addon_under_test import add_hull, part, state_of, values
+from addon_under_test import add_hull, part, sample, state_of, values
 from edited_hulls import edit, select
 
 SIDE, BOTTOM = 0, 1
@@ -22,7 +24,13 @@ def slots(hull):
 
 
 def names(hull):
-    return [layer.material.name for layer in hull.hull.layers]
+    return [layer.name for layer in hull.hull.layers]
+
+
+def written_names(path):
+    """Of the layers in the hull file of the active hull."""
+    assert bpy.ops.hull.export_hull(filepath=str(path)) == {"FINISHED"}
+    return [layer["name"] for layer in json.loads(path.read_text(encoding="utf-8"))["layers"]]
 
 
 def is_followed(hull):
@@ -74,6 +82,48 @@ def test_faces_of_a_slot_that_is_not_there_are_in_the_last_one(hull):
     hull.data.polygons[BOTTOM].material_index = 7
     with pytest.raises(RuntimeError, match="Every layer has faces"):
         bpy.ops.hull.remove_empty_layers()
+
+
+def test_hulls_with_layers_of_the_same_names_keep_them(tmp_path):
+    first = sample("coaster")
+    wanted = names(first)
+    assert "Transom" in wanted and wanted == written_names(tmp_path / "1.hull.json")
+    for _ in range(2):
+        hull = sample("coaster")
+        assert names(hull) == wanted == written_names(tmp_path / "2.hull.json")
+        assert not {slot.name for slot in hull.material_slots} & set(wanted)
+
+
+def test_a_layer_that_is_renamed_is_called_so_everywhere(hull, tmp_path):
+    sample("coaster")
+    bpy.context.view_layer.objects.active = hull
+    new_layer(hull, BOTTOM, "Bottom")
+    shell, bottom = hull.hull.layers
+    shell.thickness, shell.density = 0.01, 7.85
+    bottom.thickness, bottom.density = 0.02, 2.7
+    for name in ("Transom", "Keel plate"):
+        bottom.name = name  # the coaster has a layer "Transom"
+        assert written_names(tmp_path / "hull.hull.json") == ["Shell", name]
+        weights = part("features.analyses").result_of(hull, bpy.context.scene, "weights")
+        assert [one.name for one in weights.parts] == ["Shell", name]
+        bpy.ops.hull.export_parts(filepath=str(tmp_path / "parts.stl"))
+        solids = (tmp_path / "parts.stl").read_text(encoding="utf-8")
+        assert f"solid {name.replace(' ', '_')}\n" in solids
+    assert bottom.material.name == "Keel plate"
+    assert bpy.ops.hull.import_hull(filepath=str(tmp_path / "hull.hull.json")) == {"FINISHED"}
+    assert names(bpy.context.object) == ["Shell", "Keel plate"]
+
+
+def test_a_layer_without_a_name_is_called_as_its_material(hull, tmp_path):
+    new_layer(hull, BOTTOM, "Bottom")
+    hull.hull.layers[1].name = ""
+    assert written_names(tmp_path / "hull.hull.json") == ["Shell", "Bottom"]
+
+
+def test_new_layers_of_a_hull_have_different_names(hull):
+    for _ in range(3):
+        new_layer(hull, BOTTOM, "Layer")
+    assert names(hull) == ["Shell", "Layer", "Layer 2", "Layer 3"]
 
 
 def test_a_layer_needs_faces_and_undo_takes_it_back(hull):

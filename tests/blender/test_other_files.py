@@ -92,6 +92,27 @@ def test_downflooding_points_of_before_they_were_called_so_stay(tmp_path):
     assert not {"flooding_points", "active_flooding_point"} & set(loading.keys())
 
 
+def test_layers_of_before_they_had_names_are_called_as_their_materials(tmp_path):
+    hull = add_hull()
+    named = (("Shell", "Shell.002"), ("Shell", "Bottom"), ("Shell", "Deck.001"), ("Z.100", "Z.100"),
+             ("L" * 70, "L" * 59 + ".003"))  # fmt: skip
+    for name, material in named:
+        layer = hull.hull.layers.add()
+        layer.name, layer.material = name, bpy.data.materials.new(material)
+        hull.data.materials.append(layer.material)
+    assert [layer.material.name for layer in hull.hull.layers] == [other for _, other in named]
+    hull.hull.layers.add().name = "no material"
+    assert bpy.ops.hull.keep_variant() == {"FINISHED"}
+    hull.hull.format = 3
+    bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "old.blend"))
+    bpy.ops.wm.open_mainfile(filepath=str(tmp_path / "old.blend"))
+    settings = bpy.context.view_layer.objects.active.hull
+    for ship in (settings, settings.variants.kept[0]):
+        assert [layer.name for layer in ship.layers] == [
+            "Shell", "Bottom", "Deck", "Z.100", "L" * 70, "no material"
+        ]  # fmt: skip
+
+
 def test_new_hulls_have_the_stamp_and_newer_ones_are_told_of():
     hull = add_hull()
     assert hull.hull.format == part("bridge.objects.migration").FORMAT

@@ -387,11 +387,20 @@ def test_fields_have_labels_and_zeros_say_what_they_mean(hull):
     assert value_after(said["HULL_PT_plots"], "Corner") == "property corner"
 
 
-def test_layers_are_named_in_the_tab():
+def test_layers_are_named_in_the_tab(monkeypatch):
+    bpy.ops.hull.load_sample(name="coaster")
     bpy.ops.hull.load_sample(name="coaster")
     hull = bpy.context.object
-    said = texts()["HULL_PT_surface"]
-    assert said.count("property name") == len(hull.hull.layers)
+    edited = []
+    note = Notebook.prop
+    monkeypatch.setattr(
+        Notebook, "prop", lambda self, data, name, **rest: (
+            edited.append((data, name)), note(self, data, name, **rest)
+        ),
+    )  # fmt: skip
+    texts()
+    fields = [data for data, name in edited if name == "name"]
+    assert fields == list(hull.hull.layers) and fields[0].name == "Shell"
 
 
 def test_angles_of_knuckles(hull):

@@ -35,7 +35,7 @@ class HULL_PT_surface(HullPanel, bpy.types.Panel):
             if layer.material is not None:
                 row = column.row(align=True)
                 row.prop(layer, "in_hydrostatics", text="")
-                row.prop(layer.material, "name", text="")
+                row.prop(layer, "name", text="")
         if hull.mode == "EDIT":
             layout.operator("hull.new_layer")
         elif hull.hull.layers:

@@ -27,9 +27,23 @@ from . import (
 from .shared import angle, changed, length
 
 
+def _renamed(layer, context):
+    """The material is called alike where Blender has the name free; the layer's own name counts."""
+    material = layer.material
+    if layer.name and material is not None and material.library is None:
+        material.name = layer.name
+    changed(layer, context)
+
+
 class HullLayer(bpy.types.PropertyGroup):
     """How the faces of one material slot count; slots without an entry count fully."""
 
+    name: StringProperty(
+        name="Name",
+        description="What the layer is called, here and in hull files; its material too where no "
+        "other has the name",
+        update=_renamed,
+    )
     material: PointerProperty(
         name="Layer",
         description="The material of the layer's faces",

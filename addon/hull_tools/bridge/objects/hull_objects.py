@@ -141,3 +141,21 @@ def excluded_slots(obj):
     return frozenset(
         index for index, slot in enumerate(obj.material_slots) if slot.material in excluded
     )
+
+
+def layer_name(layer):
+    """What an entry of Object.hull.layers is called: by a name of its own, since Blender numbers
+    those of materials through all of a file, "Shell.002" in the third hull; without a name as its
+    material."""
+    return layer.name or (layer.material.name if layer.material is not None else "")
+
+
+def slot_names(obj):
+    """One name for each material slot of a hull, or of a variant in its place."""
+    named = {}
+    for layer in obj.hull.layers:
+        named.setdefault(layer.material, layer_name(layer))
+    return [
+        f"Layer {index}" if slot.material is None else named.get(slot.material, slot.material.name)
+        for index, slot in enumerate(obj.material_slots)
+    ]

@@ -7,12 +7,17 @@ opened, or when it is appended or pasted from one.
 
 Formats: 0: which lines are drawn is kept with the hull, and more of it with the lines plan; lines
 are an object. 1: all of it is in Object.hull.lines, lines are drawn over the view. 2: it is kept
-whether the VCG is a guess. 3: the points of downflooding are called so.
+whether the VCG is a guess. 3: the points of downflooding are called so. 4: layers have names of
+their own, which were those of their materials.
 """
 
-FORMAT = 3
+import re
+
+FORMAT = 4
 
 _GUESSED_KG = 0.6  # of the depth: what a hull without VCG was given
+
+_NUMBER, _LONGEST = re.compile(r"\.\d{3,}$"), 60  # of Blender's names, bytes
 
 _MOVED_FROM_HULL = ("station_count", "waterline_spacing", "buttock_spacing")
 _MOVED_FROM_PLAN = (
@@ -75,6 +80,22 @@ def _name_downflooding_points(settings):
         settings.loading.active_downflooding_point = active
 
 
+def _name_layers(settings):
+    for ship in (settings, *settings.variants.kept):
+        for layer in ship.layers:
+            if layer.material is not None and layer.material.name != layer.name:
+                _name_as_material(layer)
+
+
+def _name_as_material(layer):
+    """Gives a layer the name that its material was given since, without the number by which
+    Blender tells it from others, and without what that cut off."""
+    name = _NUMBER.sub("", layer.material.name)
+    is_cut = len(layer.material.name.encode()) >= _LONGEST
+    if not (is_cut and layer.name.startswith(name)):
+        layer["name"] = name
+
+
 def _taken(group, name):
     """A stored value that no property stands for any longer, which is removed; None for none."""
     value = group.get(name)
@@ -84,4 +105,4 @@ def _taken(group, name):
 
 
 # From each format to the next.
-_STEPS = (_gather_lines, _know_the_guess, _name_downflooding_points)
+_STEPS = (_gather_lines, _know_the_guess, _name_downflooding_points, _name_layers)

@@ -109,8 +109,8 @@ def _kept(mesh):
 def _layers(obj, scale):
     excluded = hull_objects.excluded_slots(obj)
     found = [
-        _layer(slot.material, index, index not in excluded)
-        for index, slot in enumerate(obj.material_slots)
+        _layer(slot.material, name, index not in excluded)
+        for index, (slot, name) in enumerate(zip(obj.material_slots, hull_objects.slot_names(obj)))
     ] or [Layer()]
     plating = {entry.material: entry for entry in obj.hull.layers}
     for layer, slot in zip(found, obj.material_slots):
@@ -121,12 +121,12 @@ def _layers(obj, scale):
     return found
 
 
-def _layer(material, index, in_hydrostatics):
+def _layer(material, name, in_hydrostatics):
     if material is None:
-        return Layer(f"Layer {index}", in_hydrostatics)
+        return Layer(name, in_hydrostatics)
     colour = Color(material.diffuse_color[:3]).from_scene_linear_to_srgb()
     parts = tuple(round(min(max(part, 0.0), 1.0), 4) for part in colour)
-    return Layer(material.name, in_hydrostatics, parts)
+    return Layer(name, in_hydrostatics, parts)
 
 
 def _particulars(settings, scale):

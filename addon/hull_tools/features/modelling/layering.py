@@ -5,6 +5,7 @@ its faces belong to the shell, and what plating they have."""
 import bmesh
 import numpy as np
 
+from ...bridge.objects import hull_objects
 from ..hull import hull_state
 from ..surface import materials
 
@@ -18,7 +19,7 @@ def make_layer(obj, scene, name):
     chosen = [face for face in bm.faces if face.select]
     if not chosen:
         raise ValueError("Select the faces of the layer first")
-    slot = add_layer(obj, name)
+    slot = add_layer(obj, _free_name(obj, name))
     for face in chosen:
         face.material_index = slot
     bmesh.update_edit_mesh(obj.data, loop_triangles=False, destructive=False)
@@ -32,6 +33,15 @@ def add_layer(obj, name, in_hydrostatics=True):
     if not obj.material_slots:
         _add_slot(obj, _SHELL, True)
     return _add_slot(obj, name, in_hydrostatics)
+
+
+def _free_name(obj, name):
+    """A name that no layer of a hull has: this one, or with the least number after it."""
+    taken = set(hull_objects.slot_names(obj))
+    number, free = 2, name
+    while free in taken:
+        number, free = number + 1, f"{name} {number}"
+    return free
 
 
 def _add_slot(obj, name, in_hydrostatics):

@@ -19,7 +19,7 @@ from ....hull_io.part_files import part_name
 from ...bridge import native
 from ...bridge.background import jobs
 from ...bridge.blender import units
-from ...bridge.objects import hull_mesh
+from ...bridge.objects import hull_mesh, hull_objects
 from ..conversion import conversions
 from ..exchange.endings import checked_ending
 from ..flotation import afloat
@@ -144,7 +144,7 @@ def _named_slots(obj):
     for layer in obj.hull.layers:
         own = [k for k, slot in enumerate(obj.material_slots) if slot.material == layer.material]
         if own and layer.material is not None and layer.in_hydrostatics:
-            names.setdefault(part_name(layer.material.name), []).extend(own)
+            names.setdefault(part_name(hull_objects.layer_name(layer)), []).extend(own)
     return hull_mesh.shell_slots(obj), names
 
 

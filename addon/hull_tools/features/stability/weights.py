@@ -8,7 +8,7 @@ import numpy as np
 
 from ...bridge import limits, native
 from ...bridge.blender.units import as_typed
-from ...bridge.objects import hull_mesh
+from ...bridge.objects import hull_mesh, hull_objects
 from . import centres
 
 IS_LIVE = False
@@ -79,9 +79,11 @@ def _plates(settings, metres_per_unit):
             for index, slot in enumerate(settings.id_data.material_slots)
             if slot.material == layer.material
         )
+        if not slots:
+            continue
         taken += slots
         thickness, density = layer.thickness or own.thickness, layer.density or own.density
-        name = layer.material.name if layer.material else layer.name
+        name = hull_objects.layer_name(layer)
         yield _plate(name, thickness, density, slots, metres_per_unit)
     yield _plate(SHELL, own.thickness, own.density, tuple(-1 - slot for slot in taken),
                  metres_per_unit)  # fmt: skip
