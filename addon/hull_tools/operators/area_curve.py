@@ -10,7 +10,8 @@ from ..bridge.blender import units
 from ..bridge.objects import hull_objects
 from ..features.area_curves import handles, matching, reports, sources, stored
 from ..properties.outline_settings import KeptOutline
-from .shared import HullOperator, can_change
+from ..properties.shared import field_or
+from .shared import HullOperator, can_change, property_column
 from .tasks import TaskOperator
 
 _SKIP = {"SKIP_SAVE"}
@@ -134,6 +135,9 @@ class HULL_OT_scale_area_curve(bpy.types.Operator, HullOperator):
     )
 
     needs = (*HullOperator.needs, _has_target)
+
+    def draw(self, context):
+        field_or(property_column(self), self, "volume", "that of the hull as it is")
 
     def run_on(self, hull, context):
         volume = units.as_typed(self.volume) or None

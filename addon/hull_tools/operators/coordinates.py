@@ -1,14 +1,23 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Coordinates of the selected points as a table to type in."""
+"""Exact coordinates: of selected points, a table to type in, and of the surface at a place."""
 
 import bpy
-from bpy.props import BoolProperty, CollectionProperty, FloatVectorProperty
+import numpy as np
+from bpy.props import (
+    BoolProperty,
+    CollectionProperty,
+    EnumProperty,
+    FloatProperty,
+    FloatVectorProperty,
+)
 
 from ..bridge.blender import units
 from ..bridge.counts import counted, counted_are
 from ..bridge.objects import hull_objects
-from ..features.modelling import point_places
-from .shared import EditModeOperator
+from ..features.hull import hull_state
+from ..features.modelling import point_places, pulling
+from .pull import AXES, draw_reach, hold_creases, place, radius
+from .shared import EditModeOperator, HullOperator
 
 _MOST_ROWS = 40
 
@@ -49,9 +58,9 @@ class HULL_OT_set_coordinates(bpy.types.Operator, EditModeOperator):
                 f"{counted_are(len(rows), 'point')} selected: the table has {_MOST_ROWS} rows"
             )
         self.points.clear()
-        for index, place in rows:
+        for index, co in rows:
             row = self.points.add()
-            row.name, row.co = str(index), place
+            row.name, row.co = str(index), co
         return context.window_manager.invoke_props_dialog(self, width=420)
 
     def draw(self, context):
@@ -77,4 +86,65 @@ def _number(row):
     return int(row.name)
 
 
-CLASSES = (HullPoint, HULL_OT_set_coordinates)
+class HULL_OT_surface_to_coordinate(bpy.types.Operator, HullOperator):
+    """Pull the surface so that it has an exact coordinate at a place: y = 12.35 at this x and z,
+    say. The place is the 3D cursor's at first"""
+
+    bl_idname = "hull.surface_to_coordinate"
+    bl_label = "Surface to Coordinate"
+
+    axis: EnumProperty(
+        name="Along",
+        description="Which coordinate of the surface is given",
+        items=(
+            ("X", "x", "At a place given by y and z"),
+            ("Y", "y", "At a place given by x and z"),
+            ("Z", "z", "At a place given by x and y"),
+        ),
+        default="Y",
+    )
+    place: place("Place", "The line through here, along the axis, meets the surface at the point")
+    value: FloatProperty(
+        name="Value",
+        description="The coordinate that the surface is to have there",
+        unit="LENGTH",
+        subtype="DISTANCE",
+        precision=5,
+        options={"SKIP_SAVE"},
+    )
+    radius: radius()
+    hold_creases: hold_creases()
+
+    def invoke(self, context, event):
+        hull = hull_objects.hull_of(context.object)
+        if not self.properties.is_property_set("place"):
+            self.place = hull.matrix_world.inverted() @ context.scene.cursor.location
+        if not self.properties.is_property_set("value"):
+            self.value = self.place[AXES[self.axis]]
+        return context.window_manager.invoke_props_dialog(self)
+
+    def draw(self, context):
+        layout = self.layout
+        layout.use_property_split = True
+        layout.row().prop(self, "axis", expand=True)
+        column = layout.column(align=True)
+        for name, index in AXES.items():
+            if name != self.axis:
+                column.prop(self, "place", index=index, text=f"At {name.lower()}")
+        layout.prop(self, "value", text=f"Surface {self.axis.lower()}")
+        draw_reach(layout, self)
+
+    def run_on(self, hull, context):
+        axis = AXES[self.axis]
+        pull = pulling.SurfacePull(hull, context.scene, self.hold_creases)
+        wanted = pull.scale * np.array(self.place)
+        wanted[axis] = pull.scale * self.value
+        grip = pull.across(wanted, axis)
+        before = units.format_value(context.scene, float(grip.point[axis]), "m")
+        pull.pull(grip, wanted, pull.scale * self.radius)
+        hull_state.follow_edit(hull, context.scene)
+        after = units.format_value(context.scene, float(wanted[axis]), "m")
+        self.report({"INFO"}, f"{self.axis.lower()} was {before} and is {after}")
+
+
+CLASSES = (HullPoint, HULL_OT_set_coordinates, HULL_OT_surface_to_coordinate)

@@ -9,7 +9,8 @@ from bpy.props import BoolProperty, EnumProperty, FloatProperty
 from ..bridge.blender import units
 from ..bridge.counts import counted
 from ..features.fairing import region_fairing, row_choice, row_fairing
-from .shared import EditModeOperator
+from ..properties.shared import field_or
+from .shared import EditModeOperator, property_column
 from .tasks import TaskOperator
 
 _QUADRATIC = (
@@ -70,6 +71,24 @@ class _Settings:
         name="Keep LCB", description="The centre of buoyancy stays where it is along the ship"
     )
 
+    own = ("energy",)
+
+    def draw(self, context):
+        column = property_column(self)
+        for name in self.own:
+            column.prop(self, name)
+        column.prop(self, "deviation_mm")
+        field_or(column, self, "largest_mm", "by any")
+        for name in (
+            "keep_stations",
+            "keep_creases",
+            "along_normals",
+            "keep_volume",
+            "keep_lcb",
+            "refuse_more",
+        ):
+            column.prop(self, name)
+
     def asked(self, energy):
         return region_fairing.Asked(
             1e-3 * units.as_typed(self.deviation_mm),
@@ -112,6 +131,7 @@ class HULL_OT_fair_curvature(bpy.types.Operator, _Settings, TaskOperator):
     bl_options = {"REGISTER", "UNDO"}
 
     needs = EditModeOperator.needs
+    own = ("energy", "by_marks")
 
     energy: EnumProperty(
         name="Least",

@@ -9,7 +9,8 @@ from ..bridge.mesh import selection
 from ..features.fairing import seen_marks
 from ..features.hull import hull_state
 from ..features.modelling import flat_check
-from .shared import EditModeOperator, HullOperator, HullReader, in_3d_view
+from ..properties.shared import field_or
+from .shared import EditModeOperator, HullOperator, HullReader, in_3d_view, property_column
 from .tasks import TaskOperator
 
 
@@ -43,6 +44,9 @@ class HULL_OT_check_flat(bpy.types.Operator, EditModeOperator):
         subtype="DISTANCE",
         precision=5,
     )
+
+    def draw(self, context):
+        field_or(property_column(self), self, "tolerance", "what single precision tells apart")
 
     def run_on(self, hull, context):
         found = flat_check.check_selected(hull, context.scene, self.tolerance)

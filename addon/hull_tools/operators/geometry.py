@@ -11,6 +11,7 @@ from ..bridge import limits
 from ..bridge.blender import units
 from ..bridge.objects import hull_objects
 from ..features.geometry import making, sources
+from ..properties.shared import field_or
 from .shared import (
     HullReader,
     asked_length,
@@ -122,8 +123,9 @@ class FromGeometry(TaskOperator):
 
     def draw(self, context):
         column = property_column(self)
-        for name in ("points", "tolerance", "draft"):
-            column.prop(self, name)
+        column.prop(self, "points")
+        field_or(column, self, "tolerance", "3e-4 of the length")
+        field_or(column, self, "draft", "60 % of the depth")
         column.separator()
         column = column.column(heading="Lay Out")
         for name in ("stern_post", "knuckles"):
@@ -174,7 +176,7 @@ class HULL_OT_hull_from_mesh(bpy.types.Operator, FromGeometry):
             self._lines = [str(error)]
 
     def draw(self, context):
-        super().draw(context)
+        FromGeometry.draw(self, context)
         column = self.layout.column(align=True)
         column.scale_y = 0.8
         for sentence in self._lines:

@@ -10,13 +10,14 @@ from ..bridge.counts import counted
 from ..bridge.objects import networks
 from ..features.networks import crossings, from_hull, making, network_state, problems
 from ..properties.network_settings import ROLES
-from ..properties.shared import length
+from ..properties.shared import field_or, length
 from .shared import (
     BaseOperator,
     asked_length,
     in_object_mode,
     make_active,
     native_is_there,
+    property_column,
     suit_views,
 )
 from .tasks import TaskOperator
@@ -178,6 +179,9 @@ class HULL_OT_tie_curves(bpy.types.Operator, NetworkOperator):
     reach: asked_length("Reach", "Curves that are nearer are tied; 0: the network's tolerance")
 
     needs = (*NetworkOperator.needs, in_object_mode)
+
+    def draw(self, context):
+        field_or(property_column(self), self, "reach", "the network's tolerance")
 
     def run_on(self, network, context):
         reach = units.as_typed(self.reach) or network.hull_network.tolerance

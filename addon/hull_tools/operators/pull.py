@@ -1,19 +1,20 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The surface pulled by one of its points: with the mouse, or to numbers."""
+"""The surface pulled by one of its points, with the mouse."""
 
 import bpy
 import numpy as np
-from bpy.props import BoolProperty, EnumProperty, FloatProperty, FloatVectorProperty
+from bpy.props import BoolProperty, FloatProperty, FloatVectorProperty
 
 from ..bridge.blender import units
 from ..bridge.counts import counted
 from ..bridge.objects import hull_objects
 from ..features.hull import hull_state
 from ..features.modelling import drags, pull_lines, pulling
-from .shared import HullOperator
+from ..properties.shared import field_or
+from .shared import HullOperator, property_column
 from .view_drag import ViewDrag
 
-_AXES = {"X": 0, "Y": 1, "Z": 2}
+AXES = {"X": 0, "Y": 1, "Z": 2}
 # The planes that a point may be dragged in, by key; and the axis each is across.
 _PLANES = {"S": ("station plane", 0), "B": ("buttock plane", 1), "W": ("waterplane", 2)}
 _DIGITS = "0123456789.-"
@@ -33,7 +34,8 @@ _WIDER = 1.1
 _RADIUS_KEYS = {"WHEELDOWNMOUSE": 1, "PAGE_UP": 1, "WHEELUPMOUSE": -1, "PAGE_DOWN": -1}
 
 
-def _place(name, description):
+def place(name, description):
+    """Of the surface, or where it is to be."""
     return FloatVectorProperty(
         name=name,
         description=description,
@@ -44,7 +46,7 @@ def _place(name, description):
     )
 
 
-def _hold_creases():
+def hold_creases():
     return BoolProperty(
         name="Hold creases",
         description="Points of creases and borders stay, unless the point pulled is on one",
@@ -52,7 +54,7 @@ def _hold_creases():
     )
 
 
-def _radius():
+def radius():
     return FloatProperty(
         name="Radius",
         description="Control points this near to the point follow, the less the farther they are; "
@@ -64,6 +66,12 @@ def _radius():
     )
 
 
+def draw_reach(layout, operator):
+    """What follows a point that is pulled."""
+    field_or(layout, operator, "radius", "what the point depends on")
+    layout.prop(operator, "hold_creases")
+
+
 class HULL_OT_pull_surface(bpy.types.Operator, ViewDrag, HullOperator):
     """Pull the surface by one of its points, or by a point of a section line: the control points
     around follow, as far as the radius says. Locked points stay, flats stay flat"""
@@ -73,10 +81,16 @@ class HULL_OT_pull_surface(bpy.types.Operator, ViewDrag, HullOperator):
 
     help_text = _PICK_HELP
 
-    point: _place("Point", "The point of the surface nearest to this place is pulled")
-    target: _place("To", "Where this point of the surface comes to lie")
-    radius: _radius()
-    hold_creases: _hold_creases()
+    point: place("Point", "The point of the surface nearest to this place is pulled")
+    target: place("To", "Where this point of the surface comes to lie")
+    radius: radius()
+    hold_creases: hold_creases()
+
+    def draw(self, context):
+        column = property_column(self)
+        for name in ("point", "target"):
+            column.prop(self, name)
+        draw_reach(column, self)
 
     def run_on(self, hull, context):
         if not all(map(self.properties.is_property_set, ("point", "target"))):
@@ -156,7 +170,7 @@ class HULL_OT_pull_surface(bpy.types.Operator, ViewDrag, HullOperator):
             return {"RUNNING_MODAL"}
         elif event.type in ("RET", "NUMPAD_ENTER"):
             return self._finish(context)
-        elif event.type in _AXES or event.type in _PLANES or event.type in ("V", "N"):
+        elif event.type in AXES or event.type in _PLANES or event.type in ("V", "N"):
             self._choose(context, event, event.type)
         elif event.type == "L" and self._grip.plane is not None:
             self._choose(context, event, "L")
@@ -193,8 +207,8 @@ class HULL_OT_pull_surface(bpy.types.Operator, ViewDrag, HullOperator):
 
     def _line_direction(self):
         """The direction of the line that the point is dragged along; None in a plane."""
-        if self._mode in _AXES:
-            return np.eye(3)[_AXES[self._mode]]
+        if self._mode in AXES:
+            return np.eye(3)[AXES[self._mode]]
         return self._grip.normal if self._mode == "N" and self._grip.normal.any() else None
 
     def _plane_normal(self):
@@ -214,8 +228,8 @@ class HULL_OT_pull_surface(bpy.types.Operator, ViewDrag, HullOperator):
             self._show(context, self._grip, self._target)
             return
         target = np.array(self._grip.point)
-        if self._mode in _AXES:
-            target[_AXES[self._mode]] = number
+        if self._mode in AXES:
+            target[AXES[self._mode]] = number
         else:
             target += number * self._grip.normal
         self._go(context, target)
@@ -281,66 +295,4 @@ class HULL_OT_pull_surface(bpy.types.Operator, ViewDrag, HullOperator):
         return np.hypot(event.mouse_x - self._pressed_at[0], event.mouse_y - self._pressed_at[1])
 
 
-class HULL_OT_surface_to_coordinate(bpy.types.Operator, HullOperator):
-    """Pull the surface so that it has an exact coordinate at a place: y = 12.35 at this x and z,
-    say. The place is the 3D cursor's at first"""
-
-    bl_idname = "hull.surface_to_coordinate"
-    bl_label = "Surface to Coordinate"
-
-    axis: EnumProperty(
-        name="Along",
-        description="Which coordinate of the surface is given",
-        items=(
-            ("X", "x", "At a place given by y and z"),
-            ("Y", "y", "At a place given by x and z"),
-            ("Z", "z", "At a place given by x and y"),
-        ),
-        default="Y",
-    )
-    place: _place("Place", "The line through here, along the axis, meets the surface at the point")
-    value: FloatProperty(
-        name="Value",
-        description="The coordinate that the surface is to have there",
-        unit="LENGTH",
-        subtype="DISTANCE",
-        precision=5,
-        options={"SKIP_SAVE"},
-    )
-    radius: _radius()
-    hold_creases: _hold_creases()
-
-    def invoke(self, context, event):
-        hull = hull_objects.hull_of(context.object)
-        if not self.properties.is_property_set("place"):
-            self.place = hull.matrix_world.inverted() @ context.scene.cursor.location
-        if not self.properties.is_property_set("value"):
-            self.value = self.place[_AXES[self.axis]]
-        return context.window_manager.invoke_props_dialog(self)
-
-    def draw(self, context):
-        layout = self.layout
-        layout.use_property_split = True
-        layout.row().prop(self, "axis", expand=True)
-        column = layout.column(align=True)
-        for name, index in _AXES.items():
-            if name != self.axis:
-                column.prop(self, "place", index=index, text=f"At {name.lower()}")
-        layout.prop(self, "value", text=f"Surface {self.axis.lower()}")
-        layout.prop(self, "radius")
-        layout.prop(self, "hold_creases")
-
-    def run_on(self, hull, context):
-        axis = _AXES[self.axis]
-        pull = pulling.SurfacePull(hull, context.scene, self.hold_creases)
-        place = pull.scale * np.array(self.place)
-        place[axis] = pull.scale * self.value
-        grip = pull.across(place, axis)
-        before = units.format_value(context.scene, float(grip.point[axis]), "m")
-        pull.pull(grip, place, pull.scale * self.radius)
-        hull_state.follow_edit(hull, context.scene)
-        after = units.format_value(context.scene, float(place[axis]), "m")
-        self.report({"INFO"}, f"{self.axis.lower()} was {before} and is {after}")
-
-
-CLASSES = (HULL_OT_pull_surface, HULL_OT_surface_to_coordinate)
+CLASSES = (HULL_OT_pull_surface,)

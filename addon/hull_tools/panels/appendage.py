@@ -5,6 +5,7 @@ import bpy
 
 from ..bridge.objects import appendages
 from ..features.hull import hull_state
+from ..properties.shared import field_or
 from .shared import HullTab, label_wrapped
 
 _FIELDS = {
@@ -20,6 +21,13 @@ _FIELDS = {
         "tip_thickness",
     ),
     "BULB": ("section", "length", "radius"),
+}
+# What counts where a field is zero.
+_ZEROS = {
+    "end_radius": "as at the start",
+    "tip_chord": "as at the root",
+    "thickness": "by the section's name",
+    "tip_thickness": "by the section's name",
 }
 
 
@@ -73,7 +81,10 @@ class HULL_PT_appendages(HullTab, bpy.types.Panel):
         layout.use_property_decorate = False
         column = layout.column(align=True)
         for name in _FIELDS[settings.shape]:
-            column.prop(settings, name)
+            if name in _ZEROS:
+                field_or(column, settings, name, _ZEROS[name])
+            else:
+                column.prop(settings, name)
         column = layout.column()
         for name in ("is_cut", "is_mirrored"):
             column.prop(settings, name)

@@ -6,7 +6,8 @@ from ..bridge.blender import units
 from ..features.conversion import conversions, patches, worst_spots
 from ..features.exchange import step_size
 from ..features.hull import hull_state
-from .shared import field_or, label_value, label_wrapped, text_field
+from ..properties.shared import field_or
+from .shared import label_value, label_wrapped, text_field
 
 
 def draw_choice(layout, settings):

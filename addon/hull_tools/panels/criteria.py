@@ -7,6 +7,7 @@ from ..bridge.blender.units import format_value
 from ..bridge.objects import hull_objects
 from ..features.analyses import live_analyses
 from ..features.stability import criteria
+from ..properties.shared import field_or
 from .shared import (
     OUTCOME_ICONS,
     OUTCOME_WORDS,
@@ -90,8 +91,10 @@ class HULL_PT_wind(HullPanel, bpy.types.Panel):
             metric_field(column, context, area, "area", "m2")
             column.prop(area, "z")
         column = layout.column(align=True)
-        for name in ("lever", "pressure", "keel_area", "roll_period"):
-            column.prop(wind, name)
+        field_or(column, wind, "lever", "by the heights of the areas")
+        column.prop(wind, "pressure")
+        column.prop(wind, "keel_area")
+        field_or(column, wind, "roll_period", "by the IS Code")
         layout.prop(wind, "sharp_bilges")
         self._draw_numbers(layout, context, hull)
 

@@ -13,8 +13,9 @@ from ..features.conversion import conversions
 from ..features.fairing import seen_marks
 from ..features.fairness import combs
 from ..features.hull import form_before, hull_state
+from ..properties.shared import field_or
 from .conversion import draw_task
-from .shared import HullPanel, choice_below, export_buttons, field_or, label_value, label_wrapped
+from .shared import HullPanel, choice_below, export_buttons, label_value, label_wrapped
 
 _MARK_NAMES = {"inflection": "○ Inflections", "maximum": "▲ Most bent", "minimum": "▼ Least bent"}
 

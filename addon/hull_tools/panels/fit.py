@@ -5,8 +5,9 @@ import bpy
 
 from ..bridge.objects import hull_objects
 from ..features.fitting import fitting
+from ..properties.shared import field_or
 from .conversion import draw_task
-from .shared import HullPanel, field_or, label_value, label_wrapped, text_field
+from .shared import HullPanel, label_value, label_wrapped, text_field
 
 
 class HULL_PT_fit(HullPanel, bpy.types.Panel):

@@ -7,7 +7,8 @@ from ..bridge.blender.units import format_value
 from ..bridge.objects import hull_objects
 from ..features.flotation import hydrostatics
 from ..features.hull import hull_state
-from .shared import HullPanel, export_buttons, field_or, label_value, label_wrapped, text_field
+from ..properties.shared import field_or
+from .shared import HullPanel, export_buttons, label_value, label_wrapped, text_field
 
 _ROWS = 2 + len(hydrostatics.KEY_FIGURES)  # of numbers in the panel itself
 

@@ -4,7 +4,8 @@
 import bpy
 
 from ..bridge.objects import hull_objects
-from .shared import HullPanel, field_or, text_field
+from ..properties.shared import field_or
+from .shared import HullPanel, text_field
 
 
 class HULL_PT_lines_plan(HullPanel, bpy.types.Panel):

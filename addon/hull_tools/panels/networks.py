@@ -7,7 +7,8 @@ from ..bridge.blender import units
 from ..bridge.counts import counted
 from ..bridge.objects import hull_objects, networks
 from ..features.networks import network_state, to_hull
-from .shared import HullTab, field_or, label_value, label_wrapped, text_field
+from ..properties.shared import field_or
+from .shared import HullTab, label_value, label_wrapped, text_field
 
 # Of problems, and of curves that are off a hull, how many are listed.
 _MOST_LISTED, _MOST_CURVES = 12, 5

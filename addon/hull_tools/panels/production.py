@@ -5,8 +5,9 @@ import bpy
 
 from ..bridge.objects import hull_objects
 from ..features.production import made_models
+from ..properties.shared import field_or
 from .conversion import draw_task
-from .shared import HullPanel, field_or, label_value, label_wrapped
+from .shared import HullPanel, label_value, label_wrapped
 
 
 class HULL_PT_model(HullPanel, bpy.types.Panel):

@@ -9,7 +9,8 @@ from ..bridge.objects import hull_objects
 from ..features.analyses import live_analyses
 from ..features.resistance import resistance_curves
 from ..features.variants import other_hull
-from .shared import HullPanel, export_buttons, field_or, label_wrapped, latest_result, text_field
+from ..properties.shared import field_or
+from .shared import HullPanel, export_buttons, label_wrapped, latest_result, text_field
 
 _ROWS = 12  # of the table; the file has all
 

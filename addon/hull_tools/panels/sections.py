@@ -6,7 +6,8 @@ import bpy
 from ..bridge.objects import hull_objects
 from ..features.hull import hull_state
 from ..features.lines import lines
-from .shared import HullPanel, field_or, label_wrapped, text_field
+from ..properties.shared import field_or
+from .shared import HullPanel, label_wrapped, text_field
 
 
 class HULL_PT_sections(HullPanel, bpy.types.Panel):

@@ -70,17 +70,6 @@ def choice_below(layout, settings, name):
     column.prop(settings, name, text="")
 
 
-def field_or(layout, settings, name, meaning):
-    """A number, and below it what counts where it is zero."""
-    column = layout.column(align=True)
-    column.prop(settings, name)
-    if not getattr(settings, name):
-        row = column.row()
-        row.active = False
-        row.alignment = "RIGHT"
-        row.label(text=f"0: {meaning}")
-
-
 def metric_field(layout, context, settings, name, unit):
     """A number that is in a metric unit of tables whatever the scene's are; below it what that is
     in the scene's."""

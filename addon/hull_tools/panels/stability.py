@@ -11,11 +11,11 @@ from ..features import analyses
 from ..features.analyses import live_analyses
 from ..features.flotation import afloat
 from ..features.stability import righting_levers
+from ..properties.shared import field_or
 from .shared import (
     HullPanel,
     draw_entries,
     export_buttons,
-    field_or,
     label_value,
     label_wrapped,
     latest_result,

@@ -5,7 +5,8 @@ import bpy
 
 from ..bridge.objects import hull_objects
 from ..features import studio
-from .shared import HullPanel, choice_below, field_or, label_wrapped, text_field
+from ..properties.shared import field_or
+from .shared import HullPanel, choice_below, label_wrapped, text_field
 
 
 class HULL_PT_studio(HullPanel, bpy.types.Panel):

@@ -5,9 +5,10 @@ import bpy
 
 from ..bridge.objects import hull_objects
 from ..features.hull import form_before
+from ..properties.shared import field_or
 from .conversion import draw_task
 from .fairness import draw_mark_change
-from .shared import HullPanel, field_or, text_field
+from .shared import HullPanel, text_field
 
 
 class HULL_PT_transform(HullPanel, bpy.types.Panel):

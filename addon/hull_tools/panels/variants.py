@@ -8,11 +8,11 @@ from ..bridge.objects import hull_objects
 from ..features.flotation import hydrostatics
 from ..features.hull import hull_state
 from ..features.variants import distances, ghosts, kept_hulls
+from ..properties.shared import field_or
 from .shared import (
     HullPanel,
     choice_below,
     export_buttons,
-    field_or,
     label_value,
     label_wrapped,
     latest_result,

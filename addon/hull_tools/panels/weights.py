@@ -5,6 +5,7 @@ import bpy
 
 from ..bridge.blender.units import format_value
 from ..bridge.objects import hull_objects
+from ..properties.shared import field_or
 from .shared import (
     HullPanel,
     draw_entries,
@@ -54,9 +55,9 @@ class HULL_PT_weights(HullPanel, bpy.types.Panel):
         layers = [layer for layer in hull.hull.layers if layer.in_hydrostatics and layer.material]
         for layer in layers if len(layers) > 1 else ():
             column = layout.column(align=True)
-            column.label(text=layer.material.name)
-            column.prop(layer, "thickness")
-            column.prop(layer, "density")
+            column.label(text=hull_objects.layer_name(layer))
+            field_or(column, layer, "thickness", "that of the shell")
+            field_or(column, layer, "density", "that of the shell")
 
     def _draw_sum(self, layout, context, total):
         column = layout.column(align=True)

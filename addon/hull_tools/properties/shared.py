@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the groups of properties have in common."""
+"""What the groups of properties have in common, and how one is drawn whose zero has a meaning."""
 
 from bpy.props import BoolProperty, FloatProperty
 
@@ -49,3 +49,14 @@ def angle(name, description, default, minimum, maximum, update=changed):
         step=100,
         update=update,
     )
+
+
+def field_or(layout, settings, name, meaning):
+    """A number, and below it what counts where it is zero."""
+    column = layout.column(align=True)
+    column.prop(settings, name)
+    if not getattr(settings, name):
+        row = column.row()
+        row.active = False
+        row.alignment = "RIGHT"
+        row.label(text=f"0: {meaning}")
