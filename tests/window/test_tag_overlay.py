@@ -18,6 +18,11 @@ _FEW = 20  # pixels that may have it by chance
 
 def seen(window, name, group="tags", is_on_light=True):
     """How many pixels of the 3D view have the colour of a tag, or of another group's kind."""
+    return int(mask(window, name, group, is_on_light).sum())
+
+
+def mask(window, name, group, is_on_light):
+    """(rows, columns) which pixels of the 3D view have it."""
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "window.png"
         window.screenshot(path)
@@ -28,7 +33,7 @@ def seen(window, name, group="tags", is_on_light=True):
     region = window.region()
     view = pixels[region.y : region.y + region.height, region.x : region.x + region.width]
     colour = np.array(part("bridge.blender.preferences").colour(group, name, is_on_light))
-    return int((np.abs(view - colour).max(axis=2) <= _NEAR / 255.0).sum())
+    return np.abs(view - colour).max(axis=2) <= _NEAR / 255.0
 
 
 def editing_without_lines(window):

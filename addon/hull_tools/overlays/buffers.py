@@ -6,8 +6,8 @@ from gpu.types import GPUBatch, GPUVertBuf
 
 
 def batch(shader, form, **columns):
-    """Points to draw with a shader as "LINES" or "TRIS": for each of its inputs, such as `pos`, an
-    array of a row a point. None where there are no points."""
+    """Points to draw with a shader as "LINES", "TRIS" or "POINTS": for each of its inputs, such as
+    `pos`, an array of a row a point. None where there are no points."""
     count = len(columns["pos"])
     if not count:
         return None

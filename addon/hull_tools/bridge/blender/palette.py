@@ -38,7 +38,7 @@ _LINES = {
 # Of the hull that a hull is compared with: all of its lines.
 _GHOST = {"ghost": Ink("Ghost", (1.00, 0.10, 1.00))}
 _PLATES = {"seam": Ink("Seams, butts", (0.55, 0.00, 0.42), (1.00, 0.62, 0.90))}
-# In object mode, where it is not selected: it recedes behind what is of the surface.
+# Where it is not selected: it recedes behind what is of the surface.
 _NET = {"net": Ink("Control net", (0.58, 0.50, 0.68), (0.66, 0.62, 0.72))}
 # Combs stand out from the hull: these can be told from light and dark alike.
 _COMBS = {
