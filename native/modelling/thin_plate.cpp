@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "modelling/gauss_rule.h"
+#include "analysis/arithmetic/gauss.h"
 #include "surface/pieces/bicubic_basis.h"
 
 namespace hull::modelling {
@@ -49,7 +49,7 @@ struct SpanPlace {
 std::vector<SpanPlace> make_span_places() {
   using surface::bicubic_basis, surface::cubic_basis, surface::cubic_basis_d1,
       surface::cubic_basis_d2;
-  const auto& [count, places, weights] = kThreePoints;
+  const auto& [count, places, weights] = analysis::kThreeNodes;
   std::vector<SpanPlace> result;
   for (int i = 0; i < count; ++i) {
     for (int j = 0; j < count; ++j) {

@@ -42,6 +42,92 @@ def names(text):
             yield name, parameter_types(taken)
 
 
+TYPE = r"^(?:struct|class|enum class|enum) (\w+)(?: final)?(?: : [^;{]*)? ?\{|^using (\w+) ="
+
+
+def types(text):
+    """Classes, structs, enumerations and aliases at the margin: those of a namespace."""
+    return {one or other for one, other in re.findall(TYPE, text, re.MULTILINE)}
+
+
+def constants(text, place=""):
+    """All of them; those of a namespace where `place` is the margin."""
+    return {
+        name
+        for statement in re.findall(place + r"(?:\binline )?\bconstexpr [^;]*;", text, re.MULTILINE)
+        for name in re.findall(r"\b(k[A-Z]\w*)(?=\[| =|\{)", statement)
+    }
+
+
+def names_of_headers(files):
+    """By name the headers that declare it in a namespace. `files`: of each name its text."""
+    homes = defaultdict(set)
+    for name, text in files.items():
+        if name.endswith(".h"):
+            for declared in types(text) | constants(text, "^"):
+                homes[declared].add(name)
+    return homes
+
+
+def second_homes(files):
+    """By name the files that declare what has its name from a header, and that header."""
+    homes = names_of_headers(files)
+    for name, text in files.items():
+        for declared in (types(text) | constants(text)) & homes.keys():
+            homes[declared].add(name)
+    return {name: found for name, found in homes.items() if len(found) > 1}
+
+
+def native_files():
+    """Without benchmarks, which are programs of their own. Comments are left out."""
+    return {
+        str(path.relative_to(ROOT / "native")): re.sub(r"//.*", "", path.read_text())
+        for path in sorted((ROOT / "native").rglob("*"))
+        if path.suffix in (".h", ".cpp") and path.parent.name != "benchmarks"
+    }
+
+
+def test_names_of_headers_are_found():
+    header = """
+inline constexpr double kFlat = 1e-6;
+struct Part : Whole {
+  static constexpr int kInner = 1;
+};
+class Ahead;
+template <class T>
+using Parts = std::vector<T>;
+"""
+    source = """
+double height() {
+  constexpr double kFlat = 1e-9;
+  constexpr int kInner = 2;
+  return kFlat * std::numeric_limits<double>::infinity();
+}
+class Ahead {
+};
+"""
+    files = {"a/part.h": header, "b/other.h": "using Part = int;\n", "b/height.cpp": source}
+    assert set(names_of_headers(files)) == {"kFlat", "Part", "Parts"}
+    assert second_homes(files) == {
+        "kFlat": {"a/part.h", "b/height.cpp"},
+        "Part": {"a/part.h", "b/other.h"},
+    }
+
+
+def test_names_of_headers_have_one_home():
+    files = native_files()
+    homes = names_of_headers(files)
+    assert homes["kInPlane"] == homes["kLeastSize"] == {"mesh/tolerances.h"}
+    assert second_homes(files) == {}
+
+
+def test_nodes_of_gauss_rules_have_one_home():
+    nodes = r"0\.(1127016|2113248|0694318|0469100)"
+    assert [name for name, text in native_files().items() if re.search(nodes, text)] == [
+        "analysis/arithmetic/gauss.h"
+    ]
+
+
 def test_names_are_found():
     text = """
 constexpr double kA = 1.0, kB[2] = {1.0, 2.0};  // m

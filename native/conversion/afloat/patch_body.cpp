@@ -8,6 +8,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "analysis/arithmetic/gauss.h"
+#include "analysis/immersion/body_rules.h"
 #include "analysis/immersion/cut_moments.h"
 #include "mesh/tolerances.h"
 
@@ -46,11 +48,10 @@ surface::BicubicPoints cap_of(const BSplineCurve& edge) {
 // ∮ z dx of a border: what its projection on the centre plane has of area.
 double projected_area(const std::vector<BSplineCurve>& loop) {
   double area = 0.0;
-  constexpr double kNodes[] = {0.11270166537925831, 0.5, 0.88729833462074169};
-  constexpr double kWeights[] = {5.0 / 18.0, 4.0 / 9.0, 5.0 / 18.0};
+  const auto& [count, nodes, weights] = analysis::kThreeNodes;  // exact to degree five
   for (const BSplineCurve& curve : loop) {
-    for (int g = 0; g < 3; ++g) {  // of degree five
-      const double t = kNodes[g];
+    for (int g = 0; g < count; ++g) {
+      const double t = nodes[g];
       const BasisValues values = basis_values(curve.knots, curve.degree, t);
       double height = 0.0, slope = 0.0;
       for (int i = 0; i <= curve.degree; ++i) {
@@ -58,7 +59,7 @@ double projected_area(const std::vector<BSplineCurve>& loop) {
         height += values.rows(0, i) * point.z();
         slope += values.rows(1, i) * point.x();
       }
-      area += kWeights[g] * height * slope;
+      area += weights[g] * height * slope;
     }
   }
   return area;

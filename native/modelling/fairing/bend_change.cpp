@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "modelling/gauss_rule.h"
+#include "analysis/arithmetic/gauss.h"
 
 namespace hull::modelling {
 namespace {
@@ -147,7 +147,7 @@ QuadraticEnergy bend_change(const std::vector<Vector3d>& points, const BendsBefo
   const auto size = 3 * static_cast<Eigen::Index>(points.size());
   QuadraticEnergy energy{{size, size}, Eigen::VectorXd::Zero(size)};
   std::vector<Eigen::Triplet<double>> entries;
-  const auto& [count, nodes, shares] = kThreePoints;
+  const auto& [count, nodes, shares] = analysis::kThreeNodes;
   for (int piece : pieces) {
     const std::vector<int>& which = weights.piece(piece).points;
     const Eigen::MatrixX3d own = carried(which, points), was = carried(which, before.points);

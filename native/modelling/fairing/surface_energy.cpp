@@ -8,9 +8,9 @@
 #include <unsupported/Eigen/AutoDiff>
 #include <utility>
 
+#include "analysis/arithmetic/gauss.h"
 #include "modelling/fairing/blend_energy.h"
 #include "modelling/fairing/quadratic_energy.h"
-#include "modelling/gauss_rule.h"
 #include "modelling/thin_plate.h"
 #include "surface/pieces/bicubic.h"
 
@@ -176,7 +176,7 @@ SurfaceEnergy::SurfaceEnergy(const surface::PieceWeights& weights, const std::ve
                              FairEnergy energy)
     : weights_(weights), energy_(energy) {
   assert(energy == FairEnergy::kCurvature || energy == FairEnergy::kVariation);
-  const auto& [count, places, shares] = kThreePoints;
+  const auto& [count, places, shares] = analysis::kThreeNodes;
   for (int piece : pieces) {
     for (int i = 0; i < count; ++i) {
       for (int j = 0; j < count; ++j) {

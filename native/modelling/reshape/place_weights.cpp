@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "modelling/gauss_rule.h"
+#include "analysis/arithmetic/gauss.h"
 #include "modelling/reshape/square_pieces.h"
 #include "surface/pieces/bicubic_basis.h"
 
@@ -16,13 +16,13 @@ namespace {
 // A Gauss rule in the unit square: weights of a bicubic piece's points at its places, in positions
 // and in derivatives along s and along t, rows; and the places' shares.
 struct SquareRule {
-  explicit SquareRule(const GaussRule& rule) {
+  explicit SquareRule(const analysis::ShortGaussRule& rule) {
     using surface::bicubic_basis, surface::cubic_basis, surface::cubic_basis_d1;
     for (Eigen::MatrixXd& weights : rows) weights.resize(rule.count * rule.count, 16);
     for (int i = 0; i < rule.count; ++i) {
       for (int j = 0; j < rule.count; ++j) {
         const auto k = static_cast<Eigen::Index>(shares.size());
-        const double s = rule.points[i], t = rule.points[j];
+        const double s = rule.nodes[i], t = rule.nodes[j];
         rows[0].row(k) = bicubic_basis(cubic_basis(s), cubic_basis(t));
         rows[1].row(k) = bicubic_basis(cubic_basis_d1(s), cubic_basis(t));
         rows[2].row(k) = bicubic_basis(cubic_basis(s), cubic_basis_d1(t));
@@ -35,9 +35,9 @@ struct SquareRule {
   std::vector<double> shares;
 };
 
-const GaussRule& rule_of(int per_side) {
-  if (per_side == 2) return kTwoPoints;
-  if (per_side == 3) return kThreePoints;
+const analysis::ShortGaussRule& rule_of(int per_side) {
+  if (per_side == 2) return analysis::kTwoNodes;
+  if (per_side == 3) return analysis::kThreeNodes;
   throw std::invalid_argument("There are 2 or 3 places a side of a piece, not " +
                               std::to_string(per_side) + ".");
 }
@@ -86,8 +86,8 @@ auto numbers_of(Eigen::MatrixXd& columns, Row row, std::size_t square) {
 // Takes the squares in the order in which PlaceWeights has them.
 class PlaceWeights::Builder {
  public:
-  Builder(PlaceWeights& places, const GaussRule& rule)
-      : places_(places), plain_(rule), ringed_(kTwoPoints) {}
+  Builder(PlaceWeights& places, const analysis::ShortGaussRule& rule)
+      : places_(places), plain_(rule), ringed_(analysis::kTwoNodes) {}
 
   void build() {
     const surface::SurfaceSquares& squares = places_.squares();

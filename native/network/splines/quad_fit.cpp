@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "network/splines/quad_fit.h"
 
+#include "analysis/arithmetic/gauss.h"
 #include "network/splines/quad_constraints.h"
 
 namespace hull::network {
 namespace {
 
 using conversion::BSplinePatch;
-
-// Of a span, with weights: of the Gauss rule of two nodes, both the same.
-constexpr std::array<double, 2> kGauss{0.21132486540518713, 0.78867513459481287};
 
 // Samples along one direction, and the functions of its control points there, times the root of
 // the samples' weights.
@@ -18,10 +16,11 @@ struct Samples {
   Eigen::MatrixXd basis;
 
   explicit Samples(const std::vector<double>& knots) {
+    static const std::vector<double> nodes = analysis::gauss_rule(2).nodes;  // weights: a half each
     for (std::size_t i = 1; i < knots.size(); ++i) {
       const double width = knots[i] - knots[i - 1];
       if (!(width > 0.0)) continue;
-      for (double share : kGauss) {
+      for (double share : nodes) {
         places.push_back(knots[i - 1] + share * width);
         roots.push_back(std::sqrt(0.5 * width));
       }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/arithmetic/gauss.h"
 #include "network/splines/quad_constraints.h"
 
 namespace hull::network {
@@ -59,14 +60,11 @@ struct Energies {
     const conversion::BasisValues a = at(0.25), b = at(0.75);
     const Eigen::RowVector4d bend = (b.rows.row(2) - a.rows.row(2)) / (0.5 * width);
     third.block<4, 4>(a.first, a.first) += width * bend.transpose() * bend;
-    constexpr double kNodes[] = {0.06943184420297371, 0.33000947820757187, 0.66999052179242813,
-                                 0.93056815579702629};
-    constexpr double kWeights[] = {0.17392742256872693, 0.32607257743127307, 0.32607257743127307,
-                                   0.17392742256872693};
-    for (int g = 0; g < 4; ++g) {
-      const conversion::BasisValues values = at(kNodes[g]);
+    const auto& [count, nodes, weights] = analysis::kFourNodes;
+    for (int g = 0; g < count; ++g) {
+      const conversion::BasisValues values = at(nodes[g]);
       const Eigen::Vector4d row = values.rows.row(0).transpose();
-      mass.block<4, 4>(values.first, values.first) += width * kWeights[g] * row * row.transpose();
+      mass.block<4, 4>(values.first, values.first) += width * weights[g] * row * row.transpose();
     }
     const double quarter = 0.25 * width;
     const auto derivatives = [&](const conversion::BasisValues& from, double step) {
