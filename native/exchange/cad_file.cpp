@@ -23,6 +23,9 @@ namespace {
 constexpr double kSizeTolerance = 1e-6;      // of the size
 constexpr double kIntegralTolerance = 1e-6;  // of the area, and of the area times the size
 
+// Parts of colours: more than files round them to, and less than the 1/255 that shows.
+constexpr double kSameColour = 1e-6;
+
 // Shares of the time that the steps take, about.
 constexpr double kModelDone = 0.05, kTextDone = 0.3;
 
@@ -43,7 +46,7 @@ std::vector<CadRegion> regions_of(const CadModel& model) {
 
 bool is_same(const Colour& one, const Colour& two) {
   for (int i = 0; i < 3; ++i) {
-    if (!(std::abs(one[i] - two[i]) <= 1e-6)) return false;
+    if (!(std::abs(one[i] - two[i]) <= kSameColour)) return false;
   }
   return true;
 }

@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "mesh/least_size.h"
+#include "mesh/tolerances.h"
 
 namespace hull::mesh {
 namespace {

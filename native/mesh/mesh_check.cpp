@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <sstream>
 
-#include "mesh/least_size.h"
+#include "mesh/tolerances.h"
 
 namespace hull::mesh {
 namespace {
@@ -308,6 +308,10 @@ void check_fans(const MeshArrays& mesh, const Connectivity& connectivity,
   }
 }
 
+// Twice the area of faces that have none, over the square of their longest extent from a corner:
+// what rounding leaves of points on one line.
+constexpr double kNoFaceArea = 1e-14;
+
 void check_shape(const MeshArrays& mesh, const Connectivity& connectivity,
                  std::vector<MeshProblem>& problems) {
   Finding flat{Severity::kWarning, ElementKind::kFace, "has no area", "have no area",
@@ -325,7 +329,7 @@ void check_shape(const MeshArrays& mesh, const Connectivity& connectivity,
       area += a.cross(b);
       scale = std::max(scale, a.squaredNorm());
     }
-    if (area.norm() <= 1e-14 * scale) flat.elements.push_back(f);
+    if (area.norm() <= kNoFaceArea * scale) flat.elements.push_back(f);
   }
   for (const auto& [a, b] : mesh.creases) {
     if (!connectivity.has_edge(a, b)) loose.elements.insert(loose.elements.end(), {a, b});

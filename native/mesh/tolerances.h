@@ -6,6 +6,11 @@
 // one algorithm alone needs, to end its steps or to know its rounding, stays beside it.
 namespace hull {
 
+// m, the one length among parts: the least extent that the points of a mesh's faces have along some
+// axis. Below it the mesh has no size that tolerances could be parts of, and check_mesh() and
+// ControlMesh::with_points() refuse it.
+inline constexpr double kLeastSize = 1e-9;
+
 // A half hull's points so near lie in the centre plane y = 0, for closings, CAD files and what is
 // drawn alike. Conversion puts its centre line there first, so that seams and caps are exact. A
 // tenth of a mm on 100 m: several times the rounding of single precision, which turning a model

@@ -11,6 +11,7 @@ namespace hull::modelling {
 // length but zero, those closer than 1e-9 (sine of the angle) to what others span are none.
 template <class Vector>
 std::vector<Vector> complement(const std::vector<Vector>& given, Eigen::Index size) {
+  // Far above what rounding leaves of parallel unit vectors, far below any angle that is meant.
   constexpr double kSameDirection = 1e-9;
   std::vector<Vector> found;  // first what spans the given ones
   const auto rest_of = [&](Vector v) {

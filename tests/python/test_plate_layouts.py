@@ -114,6 +114,22 @@ def test_half_a_cap_across_the_centre():
     assert caps["smooth", 0.5].area == pytest.approx(exact, rel=1e-3)
 
 
+@pytest.mark.parametrize("share", [0.0, 0.5, 2.0])
+def test_plates_end_in_the_centre_plane_as_all_else_does(share):
+    """What is on the centre plane is told by the tolerance of the whole program."""
+    parts = 24
+    half = np.asarray(sphere(parts=parts).mesh.points).reshape(parts + 1, parts + 1, 3)
+    half = half if half[0, 0, 1] < half[0, -1, 1] - 1.0 else half.swapaxes(0, 1)
+    half = half[:, parts // 2 :].copy()
+    half[:, 0, 2] = half[:, 1, 2]
+    half[:, 0, 1] = 0.0
+    half[:, 0, 1] = share * hn.tolerances.ON_CENTRE_PLANE * grid_surface(half).mesh.size
+    surface = grid_surface(half)
+    seam = hn.HullCurves(surface, 1e-5).in_plane(hn.plane_across("z", 10.0 * np.cos(0.35)), "edge")
+    plates = hn.plates(surface, seam, size=0.6, across_centre=True)
+    assert max(plates, key=lambda p: p.centre[2]).across == (share < 1.0)
+
+
 def test_keel_plates_of_the_coaster_are_one():
     """From seam to seam, with frames across and areas that sum to both sides."""
     _, body = body_of("coaster")

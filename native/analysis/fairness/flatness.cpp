@@ -13,7 +13,9 @@ namespace {
 
 constexpr int kFits = 50;
 constexpr double kSmallDistance = 1e-9;  // of the size: below it distances weigh alike
-constexpr double kExact = 1e-9;          // of the size
+// Of the size: by how much the furthest distance may be missed, a thousandth of kInPlane, which it
+// is compared with.
+constexpr double kExact = 1e-9;
 constexpr int kDeepestSquare = 24;
 constexpr double kSmallestSquare = 0x1p-30;
 

@@ -38,6 +38,11 @@ Extent extent_of(const std::vector<Vector3d>& points) {
 
 }  // namespace
 
+CutRules exact_cuts(double size, double looser) {
+  return {kZeroHeight * size, looser * kCutVolume * size * size * size, kSpanArea * size * size,
+          SpanRule::kExact, 10};
+}
+
 BodyRules body_rules(const surface::LimitSurface& surface, bool mirrored, double tolerance) {
   const Extent extent = extent_of(surface.mesh().points());
   const double size = power_of_two(surface.mesh().size());
@@ -50,8 +55,7 @@ BodyRules body_rules(const surface::LimitSurface& surface, bool mirrored, double
     rules.span_area = kSpanArea * size * size;
     rules.corner = {looser * kCornerFirst * size * size * size, kCornerArea * size * size,
                     SpanRule::kExact, SpanRule::kVolume};
-    rules.cut = {kZeroHeight * size, looser * kCutVolume * size * size * size,
-                 kSpanArea * size * size, SpanRule::kExact, 10};
+    rules.cut = exact_cuts(size, looser);
     return rules;
   }
   // The parts share in what the volume and the surface of the box around the mesh may be off, of

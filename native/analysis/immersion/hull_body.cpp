@@ -20,9 +20,8 @@
 namespace hull::analysis {
 namespace {
 
-// Of the mesh's size.
-constexpr double kNoVolume = 1e-9;  // times the area: what an open sheet may have
-constexpr double kAtEdge = 1e-9;    // water at an opening's edge does not flow in
+// Of the mesh's size: water at an opening's edge does not flow in.
+constexpr double kAtEdge = 1e-9;
 
 // Closings are no part of the wetted surface.
 ShellMoments without_area(ShellMoments moments) {

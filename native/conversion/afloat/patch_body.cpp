@@ -19,16 +19,7 @@ namespace {
 using analysis::ShellMoments;
 using analysis::SpanRule;
 
-// Of the set's size, or of its powers: as analysis::body_rules() has them.
-constexpr double kCutVolume = 1e-15;  // per part of a cut
-constexpr double kPieceArea = 1e-12;  // per piece
-constexpr double kOpenArea = 1e-9;    // what a closed border's projection may have
-constexpr double kNoVolume = 1e-9;    // times the area: what an open sheet may have
-
-analysis::CutRules cut_rules(double size) {
-  return {kZeroHeight * size, kCutVolume * size * size * size, kPieceArea * size * size,
-          SpanRule::kExact, 10};
-}
+constexpr double kOpenArea = 1e-9;  // of size²: what a closed border's projection may have
 
 Vector3d on_centre_plane(const Vector3d& point) { return {point.x(), 0.0, point.z()}; }
 
@@ -94,7 +85,7 @@ PatchBody::PatchBody(const PatchPieces& pieces, bool mirrored)
     volume += part.moments.first(2, 2);
     area += part.moments.area;
   }
-  if (volume < -kNoVolume * size_ * area) {
+  if (volume < -analysis::kNoVolume * size_ * area) {
     throw std::invalid_argument(
         "The displaced volume is negative: patches are turned inwards. Turn them outwards, into "
         "the water.");
@@ -102,9 +93,10 @@ PatchBody::PatchBody(const PatchPieces& pieces, bool mirrored)
 }
 
 void PatchBody::add(const surface::BicubicPoints& points, bool is_cap) {
-  Part part{points, is_cap,
-            analysis::span_moments({points, centre_}, SpanRule::kExact, kPieceArea * size_ * size_),
-            Vector3d::Zero(), Vector3d::Zero()};
+  Part part{
+      points, is_cap,
+      analysis::span_moments({points, centre_}, SpanRule::kExact, analysis::exact_cuts(size_).area),
+      Vector3d::Zero(), Vector3d::Zero()};
   if (is_cap) part.moments.area = part.moments.area_error = 0.0;
   Eigen::AlignedBox3d box;
   for (const Vector3d& point : points) box.extend(Vector3d(point - centre_));
@@ -132,7 +124,7 @@ void PatchBody::close(const std::vector<EdgeUse>& loop) {
 }
 
 ShellMoments PatchBody::wet(const analysis::Plane& water) const {
-  const analysis::CutRules rules = cut_rules(size_);
+  const analysis::CutRules rules = analysis::exact_cuts(size_);
   ShellMoments sum;
   for (const Part& part : parts_) {
     const double height = water.normal.dot(part.middle) + water.height(centre_);

@@ -8,6 +8,9 @@
 
 namespace hull::conversion {
 
+// Knots from 0 to 1 that are nearer to each other are one: they differ by rounding.
+inline constexpr double kSameKnot = 1e-12;
+
 // A B-spline curve, clamped over [0, 1].
 struct BSplineCurve {
   int degree = 3;

@@ -48,14 +48,14 @@ void split(PatchSet& set, int p, int k, std::size_t i, double share, int vertex)
 // Ends edges of one side where those of another do that lies on it the other way. Whether any had
 // to be split.
 bool match_edges(PatchSet& set, int p, int side, int other) {
-  constexpr double kSame = 1e-12;
+  constexpr double kSameEnd = 1e-12;  // of the side: ends of edges differ by rounding
   const PatchSide theirs = set.sides[p][other];
   bool any = false;
   for (std::size_t i = 0; i + 1 < theirs.size(); ++i) {
     const double at = 1.0 - theirs[i].end;
     for (std::size_t j = 0; j < set.sides[p][side].size(); ++j) {
       const SideEdge part = set.sides[p][side][j];
-      if (at <= part.begin + kSame || at >= part.end - kSame) continue;
+      if (at <= part.begin + kSameEnd || at >= part.end - kSameEnd) continue;
       split(set, p, side, j, (at - part.begin) / (part.end - part.begin), theirs[i].to);
       any = true;
       break;

@@ -11,9 +11,6 @@
 namespace hull::conversion {
 namespace {
 
-// Closer knots are one: they differ by rounding.
-constexpr double kSameKnot = 1e-12;
-
 // The distinct knots of a patch in one direction, rising, and those of them that are new.
 struct KnotList {
   std::vector<double> all, added;

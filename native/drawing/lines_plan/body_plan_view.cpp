@@ -6,6 +6,7 @@
 #include "drawing/lines_plan/lines_views.h"
 #include "drawing/lines_plan/ship_curve.h"
 #include "drawing/lines_plan/view_parts.h"
+#include "mesh/tolerances.h"
 
 namespace hull::drawing {
 
@@ -99,7 +100,7 @@ Vector2d upper_end(const Section& section, Hand hand) {
 std::vector<Section> draw_sections(SheetBuilder& builder, const View& view,
                                    const LinesDrawing& drawing, const HullExtents& extents,
                                    Hand hand) {
-  const double same = 1e-6 * (extents.fore - extents.aft);
+  const double same = kSamePosition * (extents.fore - extents.aft);
   std::vector<Section> sections;
   for (const NamedCurves& station : drawing.stations) {
     // A midship station is on both hands.

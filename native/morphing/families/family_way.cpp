@@ -15,8 +15,10 @@ namespace {
 // Where members are measured: the volume's cubic goes through the first four, the moments' quartics
 // through five, and the last tells whether they are right.
 constexpr std::array<double, 6> kNodes{0.0, 0.25, 0.75, 1.0, 0.5, 0.375};
-constexpr double kSameRoot = 1e-12;  // in t
-constexpr double kWayTolerance = 1e-12;
+// Of an interval of t, and of the volume at its beginning: a root there is found from both sides,
+// and differs by rounding.
+constexpr double kSameRoot = 1e-12;
+constexpr double kWayTolerance = 1e-12;  // of t, which is of the order of 1: some roundings
 
 // Members of a family along a way, as bodies: one after the other, the same surface moved.
 class WayBody {

@@ -9,6 +9,10 @@ namespace hull::network {
 namespace {
 
 constexpr int kHalvings = 40;
+// The square of the sine of the angle between lines: below it rounding of a c - b² is much of that.
+constexpr double kParallelSquare = 1e-14;
+// Of the largest parameter: neighbouring zones meet at limits that were computed twice.
+constexpr double kSameLimit = 1e-12;
 
 struct Segment {
   Vector3d start, way;
@@ -31,7 +35,7 @@ double nearest_on(const Segment& along, const Segment& other) {
   // Of the lines, else of the ends: of parallels any.
   std::vector<double> shares{0.0, 1.0, along.nearest_share(other.start),
                              along.nearest_share(other.at(1.0))};
-  if (area > 1e-14 * a * c) {
+  if (area > kParallelSquare * a * c) {
     shares.push_back(std::clamp((b * other_slope - c * slope) / area, 0.0, 1.0));
   }
   return *std::ranges::min_element(shares, {},
@@ -116,8 +120,9 @@ std::vector<std::vector<NearZone>> coherent_zones(const std::vector<NearZone>& z
   for (std::size_t i = 0; i < zones.size(); ++i) {
     for (std::size_t k = i + 1; k < zones.size(); ++k) {
       const NearZone &a = zones[i], &b = zones[k];
-      if (touch(a.first_low, a.first_high, b.first_low, b.first_high, 1e-12 * first_size) &&
-          touch(a.second_low, a.second_high, b.second_low, b.second_high, 1e-12 * second_size)) {
+      if (touch(a.first_low, a.first_high, b.first_low, b.first_high, kSameLimit * first_size) &&
+          touch(a.second_low, a.second_high, b.second_low, b.second_high,
+                kSameLimit * second_size)) {
         root[root_of(i)] = root_of(k);
       }
     }

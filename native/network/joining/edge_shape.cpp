@@ -10,7 +10,10 @@ namespace {
 
 constexpr int kHaltSamples = 16;
 constexpr double kHalted = 1e-9;  // of a length: the speed of what stands still
-constexpr int kChords = 32;       // of which an edge's length is the sum
+// Of the parameter: where the tangent of a curve that stands still at its end is taken from. The
+// chord's direction is off by about as much; its length, of the second order, keeps eight digits.
+constexpr double kInside = 1e-4;
+constexpr int kChords = 32;  // of which an edge's length is the sum
 
 using EdgeKey = std::tuple<int, int, double, double>;
 
@@ -70,8 +73,8 @@ Vector3d EdgeShape::found_tangent(bool is_start) const {
   const Points3 jet = evaluate(is_start ? 0.0 : 1.0, 1);
   Vector3d tangent = jet.row(1);
   // A curve whose first control points are one has a tangent all the same.
-  if (!(tangent.norm() > 1e-9 * length_)) {
-    const Vector3d inner = evaluate(is_start ? 1e-4 : 1.0 - 1e-4, 0).row(0);
+  if (!(tangent.norm() > kHalted * length_)) {
+    const Vector3d inner = evaluate(is_start ? kInside : 1.0 - kInside, 0).row(0);
     return (inner - Vector3d(jet.row(0))).normalized();
   }
   return (is_start ? tangent : Vector3d(-tangent)).normalized();

@@ -7,12 +7,18 @@
 #include <numbers>
 #include <queue>
 
+#include "mesh/tolerances.h"
+
 namespace hull::network {
 namespace {
 
 constexpr int kReflections = 24;
 constexpr double kOneDirection = 0.02;  // rad: tangents that do not tell edges apart
 constexpr double kPassesOn = 0.9659;    // the cosine of 15°: two edges that span no plane
+// Of products and sums of unit vectors: shorter ones are mostly what rounding and the curves' fit
+// leave of directions on one line, or around a point, and tell of no view.
+constexpr double kLeastCandidate = 1e-3;
+constexpr double kAsGood = 1e-6;  // of what is seen: more than rounding
 constexpr double kTurn = 2.0 * std::numbers::pi;
 
 using Ends = std::vector<EdgeEnd>;
@@ -73,11 +79,11 @@ Vector3d view_of(const std::vector<Vector3d>& directions) {
   Vector3d best = Vector3d::Zero();
   double most = 0.0;
   for (const Vector3d& candidate : candidates) {
-    if (!(candidate.norm() > 1e-3)) continue;
+    if (!(candidate.norm() > kLeastCandidate)) continue;
     const Vector3d normal = candidate.normalized();
-    // What is nearly as good is not taken: the first is that of rounding, else.
+    // What is as good is not taken: rounding would choose, else.
     const double seen = spread_seen(normal, directions);
-    if (seen <= most * (1.0 + 1e-6)) continue;
+    if (seen <= most * (1.0 + kAsGood)) continue;
     most = seen;
     best = normal;
   }
@@ -152,7 +158,7 @@ class Ordering3d {
     Vector3d centre = box.center();
     centre.z() = box.max().z();
     // A half hull has its middle in the centre plane.
-    if (box.min().y() >= -1e-6 * box.diagonal().norm()) centre.y() = 0.0;
+    if (box.min().y() >= -kOnCentrePlane * box.diagonal().norm()) centre.y() = 0.0;
     double outwards = 0.0;
     for (std::size_t node = 0; node < joined_.nodes.size(); ++node) {
       outwards += order_.normals[node].dot(joined_.nodes[node] - centre);

@@ -12,7 +12,6 @@ namespace {
 constexpr std::size_t kMostSpans = 128;
 constexpr double kLeastSpan = 0x1p-12;
 constexpr int kTestsOfSpan = 4;
-constexpr double kSameKnot = 1e-12;
 constexpr double kSameSlope = 1e-9;  // of a spline's size
 constexpr double kRounding = 2e-14;  // of it
 
@@ -124,8 +123,8 @@ Points3 spline_jet(const BSplineCurve& curve, double t) {
 BSplineCurve with_knots(const BSplineCurve& curve, const std::vector<double>& knots) {
   BSplineCurve result = curve;
   for (double& knot : result.knots) {
-    const auto near = std::lower_bound(knots.begin(), knots.end(), knot - kSameKnot);
-    if (near != knots.end() && *near <= knot + kSameKnot) knot = *near;
+    const auto near = std::lower_bound(knots.begin(), knots.end(), knot - conversion::kSameKnot);
+    if (near != knots.end() && *near <= knot + conversion::kSameKnot) knot = *near;
   }
   for (std::size_t i = 0; i < knots.size(); ++i) {
     if (i >= result.knots.size() || result.knots[i] != knots[i]) result.insert_knot(knots[i]);
@@ -137,7 +136,7 @@ std::vector<double> united_knots(const std::vector<double>& one, const std::vect
   std::vector<double> all;
   std::size_t i = 0, k = 0;
   while (i < one.size() && k < other.size()) {
-    if (std::abs(one[i] - other[k]) <= kSameKnot) {
+    if (std::abs(one[i] - other[k]) <= conversion::kSameKnot) {
       all.push_back(one[i]);
       ++i, ++k;
     } else {

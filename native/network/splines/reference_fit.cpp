@@ -17,10 +17,10 @@ using conversion::BSplinePatch;
 constexpr int kMostReferenceSpans = 32;
 constexpr int kLeastParts = 8, kPartsOfSpan = 2;  // of a curve, a point each
 constexpr int kMeasuredOfPart = 3;
-constexpr int kFootSteps = 8;  // of Newton's
-constexpr double kSettled = 1e-13;
-constexpr int kReach = 6;          // of functions that have an energy together
-constexpr double kEnergy = 1e-10;  // against the mean square of distances
+constexpr int kFootSteps = 8;       // of Newton's
+constexpr double kSettled = 1e-13;  // of the parameters, 0 … 1: a shorter step is rounding
+constexpr int kReach = 6;           // of functions that have an energy together
+constexpr double kEnergy = 1e-10;   // against the mean square of distances
 
 using Place = Eigen::Vector2d;
 

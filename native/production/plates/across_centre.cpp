@@ -5,12 +5,12 @@
 #include <cmath>
 #include <utility>
 
+#include "mesh/tolerances.h"
+
 namespace hull::production {
 
 namespace {
 
-// Of the hull's size.
-constexpr double kCentral = 1e-7;
 // Of the mean normal: plates that face more to the side than this are not bent around the stem.
 constexpr double kMostAside = 0.6;
 
@@ -62,7 +62,7 @@ std::pair<bool, double> bend_in_centre(const Shell& shell, const Plate& plate) {
 }  // namespace
 
 bool is_central(const surface::LimitSurface& surface, const Vector3d& point) {
-  return std::abs(point.y()) <= kCentral * surface.mesh().size();
+  return std::abs(point.y()) <= kOnCentrePlane * surface.mesh().size();
 }
 
 void join_across_centre(const Shell& shell, double largest_knuckle, Plate& plate) {

@@ -7,6 +7,8 @@
 namespace hull::production {
 namespace {
 
+// Of penalties and sums of roots: cuts as good as one another differ by it, according to the order
+// in which their parts were summed. The next measure, and at last the order of the search, decides.
 constexpr double kRounding = 1e-9;
 
 }  // namespace
