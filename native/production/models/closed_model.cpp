@@ -43,22 +43,6 @@ void add_quad(const HullGrid& grid, std::size_t quad, ClosedModel& model) {
   }
 }
 
-// Without points that no triangle has.
-void compress(ClosedModel& model) {
-  std::vector<int> number(model.points.size(), -1);
-  std::vector<Vector3d> points;
-  for (std::array<int, 3>& triangle : model.triangles) {
-    for (int& corner : triangle) {
-      if (number[corner] < 0) {
-        number[corner] = static_cast<int>(points.size());
-        points.push_back(model.points[corner]);
-      }
-      corner = number[corner];
-    }
-  }
-  model.points = std::move(points);
-}
-
 // A call of its own: where GCC 12 makes vectors of two such roundings it leaves them out.
 [[gnu::noinline]] double in_single_precision(double x) { return static_cast<float>(x); }
 
@@ -87,7 +71,7 @@ void weld(ClosedModel& model, double near) {
   }
   model.triangles = std::move(kept);
   model.cells = std::move(cells);
-  compress(model);
+  drop_unused_points(model);
 }
 
 void flip_slivers_of_closings(ClosedModel& model) {
@@ -159,6 +143,21 @@ ClosedModel scaled(const ClosedModel& model, double factor) {
     throw std::invalid_argument("At this scale nothing is left of the model; take a larger one.");
   }
   return result;
+}
+
+void drop_unused_points(ClosedModel& model) {
+  std::vector<int> number(model.points.size(), -1);
+  std::vector<Vector3d> points;
+  for (std::array<int, 3>& triangle : model.triangles) {
+    for (int& corner : triangle) {
+      if (number[corner] < 0) {
+        number[corner] = static_cast<int>(points.size());
+        points.push_back(model.points[corner]);
+      }
+      corner = number[corner];
+    }
+  }
+  model.points = std::move(points);
 }
 
 int open_sides(const ClosedModel& model) {

@@ -37,6 +37,9 @@ ClosedModel closed_model(const analysis::HullBody& body, double chord_tolerance,
 // left.
 ClosedModel scaled(const ClosedModel& model, double factor);
 
+// Leaves out points that no triangle has.
+void drop_unused_points(ClosedModel& model);
+
 // How many sides do not belong to just two triangles, run through in opposite directions.
 int open_sides(const ClosedModel& model);
 

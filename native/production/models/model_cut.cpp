@@ -57,21 +57,6 @@ void close_in_plane(ClosedModel& model, int axis, bool upward,
   model.triangles.insert(model.triangles.end(), cap.begin(), cap.end());
 }
 
-void drop_unused(ClosedModel& model) {
-  std::vector<int> number(model.points.size(), -1);
-  std::vector<Vector3d> points;
-  for (Triangle& triangle : model.triangles) {
-    for (int& corner : triangle) {
-      if (number[corner] < 0) {
-        number[corner] = static_cast<int>(points.size());
-        points.push_back(model.points[corner]);
-      }
-      corner = number[corner];
-    }
-  }
-  model.points = std::move(points);
-}
-
 // What lies on one side of the plane.
 class HalfCutter {
  public:
@@ -82,7 +67,7 @@ class HalfCutter {
     part_.points = model_.points;
     for (const Triangle& triangle : model_.triangles) add(triangle);
     close_in_plane(part_, axis_, !above_, unmatched(part_.triangles));
-    drop_unused(part_);
+    drop_unused_points(part_);
     return std::move(part_);
   }
 
@@ -188,7 +173,7 @@ ClosedModel drilled(const ClosedModel& model, int axis, double at, bool upward,
     if (side.first < static_cast<int>(model.points.size())) sides.push_back(side);
   }
   close_in_plane(result, axis, upward, std::move(sides), holes);
-  drop_unused(result);
+  drop_unused_points(result);
   return result;
 }
 
