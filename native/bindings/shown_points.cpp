@@ -33,8 +33,8 @@ void bind_shown_points(py::module_& module) {
       "precision, in units of their own, of both sides. They follow a surface whose points move; "
       "only those of cells that have moved are computed again.\n\n"
       "First come the points of the tessellation, in its order, then the mirror images (x, -y, z) "
-      "of those that are off the centre plane. Points nearer to it than 1e-9 of the mesh's size "
-      "are put on it, and both sides share them.")
+      "of those that are off the centre plane. Points nearer to it than tolerances.ON_CENTRE_PLANE "
+      "of the mesh's size are put on it, and both sides share them.")
       .def(py::init([](const surface::LimitSurface& surface, int n, bool mirrored,
                        double metres_per_unit) {
              const py::gil_scoped_release release;

@@ -104,6 +104,9 @@ def test_both_sides_share_what_is_on_the_plane():
         shared.append(hn.ShownPoints(surface, 4, mirrored=True).shared)
     assert shared[0].any()
     assert all(np.array_equal(shared[0], one) for one in shared)
+    beyond = hn.LimitSurface(with_noise(mesh, 1.01 * ON))
+    assert hn.ShownPoints(beyond, 4, mirrored=True).shared.sum() < shared[0].sum()
+    assert "tolerances.ON_CENTRE_PLANE" in hn.ShownPoints.__doc__
 
 
 def test_per_cell_patches_join_too(tmp_path):
