@@ -38,7 +38,7 @@ py::list regions_of(const exchange::CadReport& report) {
     dict["name"] = region.name;
     dict["colour"] = py::none();
     if (region.colour) {
-      const exchange::Colour& c = *region.colour;
+      const analysis::Colour& c = *region.colour;
       dict["colour"] = py::make_tuple(c[0], c[1], c[2]);
     }
     dict["faces"] = region.faces;
@@ -83,7 +83,7 @@ exchange::StepSchema schema_from(const std::string& name) {
   throw std::invalid_argument("schema must be \"AP214\" or \"AP242\", not \"" + name + "\".");
 }
 
-exchange::Colour colour_from(const std::string& region, const py::handle& value) {
+analysis::Colour colour_from(const std::string& region, const py::handle& value) {
   const auto numbers = value.cast<std::vector<double>>();
   for (double number : numbers) {
     if (numbers.size() == 3 && number >= 0.0 && number <= 1.0) continue;

@@ -29,7 +29,7 @@ constexpr int kMostDots = 20000;          // along a side of a picture
 // Red, green and blue, and perhaps opacity.
 using ColourNumbers = std::vector<double>;
 
-drawing::Colour colour_from(const ColourNumbers& parts) {
+drawing::Ink colour_from(const ColourNumbers& parts) {
   bool fits = parts.size() == 3 || parts.size() == 4;
   for (const double part : parts) fits = fits && part >= 0.0 && part <= 1.0;
   if (!fits) throw std::invalid_argument("A colour is 3 or 4 numbers between 0 and 1.");

@@ -33,7 +33,7 @@ drawing::LineStyle style_from(const std::string& name) {
                               name + "\".");
 }
 
-std::optional<drawing::Colour> colour_from(const std::optional<Rgb>& colour) {
+std::optional<drawing::Ink> colour_from(const std::optional<Rgb>& colour) {
   if (!colour) return std::nullopt;
   for (const double part : *colour) {
     if (!(part >= 0.0 && part <= 1.0)) {
@@ -41,7 +41,7 @@ std::optional<drawing::Colour> colour_from(const std::optional<Rgb>& colour) {
                                   std::to_string(part) + ".");
     }
   }
-  return drawing::Colour{(*colour)[0], (*colour)[1], (*colour)[2]};
+  return drawing::Ink{(*colour)[0], (*colour)[1], (*colour)[2]};
 }
 
 drawing::PlotAxis axis_from(std::string label, std::string unit,
@@ -59,7 +59,7 @@ int add_curve(drawing::Plot& plot, const std::string& name, const DoubleArray& x
   return static_cast<int>(plot.curves.size()) - 1;
 }
 
-py::tuple to_tuple(const drawing::Colour& colour) {
+py::tuple to_tuple(const drawing::Ink& colour) {
   return py::make_tuple(colour.red, colour.green, colour.blue, colour.opacity);
 }
 

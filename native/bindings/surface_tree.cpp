@@ -2,19 +2,17 @@
 #include "surface/queries/surface_tree.h"
 
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "bindings/arrays.h"
 #include "surface/queries/closest_point.h"
+#include "surface/queries/infinity.h"
 #include "surface/queries/ray_hits.h"
 
 namespace hull::bindings {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 struct ClosestPoints {
   std::vector<surface::ClosestPoint> all;
@@ -202,15 +200,15 @@ void bind_surface_tree(py::module_& module) {
       .def_property_readonly("size", &surface::SurfaceTree::size,
                              "Diagonal of the box around the surface's control points, m.")
       .def("closest_points", &find_closest_points, py::arg("points"),
-           py::arg("max_distance") = kInfinity,
+           py::arg("max_distance") = surface::kInfinity,
            "points: (k, 3), m. Returns ClosestPoints: of all points of the surface the nearest, if "
            "it is no farther than max_distance (m).")
       .def("ray_hits", &find_ray_hits, py::arg("origins"), py::arg("directions"),
-           py::arg("max_distance") = kInfinity,
+           py::arg("max_distance") = surface::kInfinity,
            "origins, directions: (k, 3); directions of any length but zero. Returns RayHits: for "
            "each ray the first, within max_distance (m) of its origin.")
       .def("all_ray_hits", &find_all_ray_hits, py::arg("origin"), py::arg("direction"),
-           py::arg("max_distance") = kInfinity,
+           py::arg("max_distance") = surface::kInfinity,
            "origin, direction: (3,). Returns RayHits: all of one ray, in order of distance. One at "
            "the common side or corner of cells counts once; where the ray runs along the surface "
            "there are two, where it comes to it and where it leaves it.");

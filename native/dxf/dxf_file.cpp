@@ -214,11 +214,11 @@ void write_space_spline(DL_Dxf& dxf, DL_WriterA& file, const DxfSpaceSpline& spl
 
 void write_text(DL_Dxf& dxf, DL_WriterA& file, const DxfText& text,
                 const DL_Attributes& attributes) {
-  constexpr int kCentred = 1, kBaseline = 0;
+  constexpr int kCentred = 1, kOnBaseline = 0;
   // Centred, it is the second point that counts. dxflib takes radians.
   const double x = text.position.x(), y = text.position.y();
   dxf.writeText(file,
-                DL_TextData(x, y, 0.0, x, y, 0.0, text.height, 1.0, 0, kCentred, kBaseline,
+                DL_TextData(x, y, 0.0, x, y, 0.0, text.height, 1.0, 0, kCentred, kOnBaseline,
                             encode_dxf_text(text.text), kTextStyle, text.angle),
                 attributes);
 }

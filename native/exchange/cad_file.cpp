@@ -44,7 +44,7 @@ std::vector<CadRegion> regions_of(const CadModel& model) {
   return result;
 }
 
-bool is_same(const Colour& one, const Colour& two) {
+bool is_same(const analysis::Colour& one, const analysis::Colour& two) {
   for (int i = 0; i < 3; ++i) {
     if (!(std::abs(one[i] - two[i]) <= kSameColour)) return false;
   }

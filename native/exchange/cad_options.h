@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "analysis/appendages/appendage.h"
+#include "analysis/fairness/colour_maps.h"
 #include "conversion/patches/bspline_curve.h"
 #include "surface/progress.h"
 
@@ -19,8 +20,6 @@ enum class CadUnit { kMetre, kCentimetre, kMillimetre, kFoot, kInch };
 CadUnit cad_unit_from(const std::string& name);  // throws std::invalid_argument for another name
 std::string name_of(CadUnit unit);
 double millimetres_in(CadUnit unit);
-
-using Colour = std::array<double, 3>;  // red, green, blue from 0 to 1 (sRGB)
 
 // A curve beside the faces, on a layer.
 struct CadCurve {
@@ -39,7 +38,7 @@ struct CadOptions {
   // Per patch the region that it belongs to; none: what find_regions() says. An image's is that of
   // its patch. A region is a layer of its name, whose faces have its colour.
   std::vector<std::string> regions{};
-  std::map<std::string, Colour> colours{};  // beside or instead of region_colour()
+  std::map<std::string, analysis::Colour> colours{};  // beside or instead of region_colour()
   std::vector<CadCurve> curves{};
   // Joined to the solid, or cut out of it; both sides must be there.
   std::vector<analysis::Appendage> appendages{};

@@ -15,7 +15,7 @@ namespace hull::exchange {
 struct CadLayer {
   struct Member {
     TopoDS_Shape shape;
-    std::optional<Colour> colour;
+    std::optional<analysis::Colour> colour;
   };
   std::string name;
   std::vector<Member> members;

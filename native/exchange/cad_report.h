@@ -19,7 +19,7 @@ constexpr int kBoxSteps = 8;
 // The faces of a layer.
 struct CadRegion {
   std::string name;
-  std::optional<Colour> colour;  // of its first face
+  std::optional<analysis::Colour> colour;  // of its first face
   int faces = 0;
   double area = 0.0;
 };

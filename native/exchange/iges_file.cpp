@@ -89,7 +89,7 @@ class IgesText {
   Handle(IGESData_ColorEntity) colour_of(const std::string& region) {
     Handle(IGESGraph_Color)& known = colours_[region];
     if (known.IsNull()) {
-      const Colour rgb = exchange::colour_of(region, options_);
+      const analysis::Colour rgb = exchange::colour_of(region, options_);
       known = new IGESGraph_Color;
       known->Init(100.0 * rgb[0], 100.0 * rgb[1], 100.0 * rgb[2], text_of(region));
       writer_.AddEntity(known);

@@ -30,12 +30,12 @@ std::string unit_name(int flag) {
   return found != kNames.end() ? found->second : "";
 }
 
-std::optional<Colour> colour_of(const Handle(IGESData_IGESEntity) & entity) {
+std::optional<analysis::Colour> colour_of(const Handle(IGESData_IGESEntity) & entity) {
   const auto colour = Handle(IGESGraph_Color)::DownCast(entity->Color());
   if (colour.IsNull()) return std::nullopt;
-  Colour percent{};
+  analysis::Colour percent{};
   colour->RGBIntensity(percent[0], percent[1], percent[2]);
-  return Colour{percent[0] / 100.0, percent[1] / 100.0, percent[2] / 100.0};
+  return analysis::Colour{percent[0] / 100.0, percent[1] / 100.0, percent[2] / 100.0};
 }
 
 void find_layers_and_names(IGESControl_Reader& reader, CadContent& content) {

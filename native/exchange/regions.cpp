@@ -53,9 +53,9 @@ std::string region_of(conversion::Cap::Kind kind) {
   return "opening";
 }
 
-Colour region_colour(const std::string& region) {
+analysis::Colour region_colour(const std::string& region) {
   // Told apart by the colour blind too (Okabe & Ito 2008), on a grey shell.
-  static const std::map<std::string, Colour> kColours = {
+  static const std::map<std::string, analysis::Colour> kColours = {
       {"shell", {0.70, 0.72, 0.75}},      {"flat side", {0.34, 0.71, 0.91}},
       {"flat bottom", {0.84, 0.37, 0.0}}, {"transom", {0.0, 0.62, 0.45}},
       {"deck", {0.94, 0.89, 0.26}},       {"centre plane", {0.80, 0.47, 0.65}},
@@ -65,7 +65,7 @@ Colour region_colour(const std::string& region) {
   return found != kColours.end() ? found->second : kColours.at("shell");
 }
 
-Colour colour_of(const std::string& region, const CadOptions& options) {
+analysis::Colour colour_of(const std::string& region, const CadOptions& options) {
   const auto given = options.colours.find(region);
   return given != options.colours.end() ? given->second : region_colour(region);
 }

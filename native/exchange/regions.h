@@ -19,9 +19,9 @@ std::vector<std::string> find_regions(const conversion::PatchSet& set);
 std::string region_of(conversion::Cap::Kind kind);
 
 // The colour that a region of this name has unless another one is asked for.
-Colour region_colour(const std::string& region);
+analysis::Colour region_colour(const std::string& region);
 
 // The one that it has by these options.
-Colour colour_of(const std::string& region, const CadOptions& options);
+analysis::Colour colour_of(const std::string& region, const CadOptions& options);
 
 }  // namespace hull::exchange

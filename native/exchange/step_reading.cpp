@@ -50,7 +50,7 @@ std::string format_name(const Handle(StepData_StepModel) & model) {
 }
 
 void find_layers(STEPControl_Reader& reader, CadContent& content) {
-  const std::map<Standard_Transient*, Colour> colours = step_colours(reader.StepModel());
+  const std::map<Standard_Transient*, analysis::Colour> colours = step_colours(reader.StepModel());
   const Handle(Transfer_TransientProcess) process =
       reader.WS()->TransferReader()->TransientProcess();
   for (const StepLayer& found : step_layers(reader.StepModel())) {

@@ -53,7 +53,8 @@ Handle(Wanted) first_of(const Handle(Array) & array) {
   return {};
 }
 
-std::optional<Colour> surface_colour(const Handle(StepVisual_PresentationStyleAssignment) & style) {
+std::optional<analysis::Colour> surface_colour(
+    const Handle(StepVisual_PresentationStyleAssignment) & style) {
   const auto usage = first_of<StepVisual_SurfaceStyleUsage>(style->Styles());
   if (usage.IsNull() || usage->Style().IsNull()) return std::nullopt;
   const auto area = first_of<StepVisual_SurfaceStyleFillArea>(usage->Style()->Styles());
@@ -62,7 +63,7 @@ std::optional<Colour> surface_colour(const Handle(StepVisual_PresentationStyleAs
   if (fill.IsNull()) return std::nullopt;
   const auto colour = Handle(StepVisual_ColourRgb)::DownCast(fill->FillColour());
   if (colour.IsNull()) return std::nullopt;
-  return Colour{colour->Red(), colour->Green(), colour->Blue()};
+  return analysis::Colour{colour->Red(), colour->Green(), colour->Blue()};
 }
 
 }  // namespace
@@ -83,7 +84,7 @@ void add_step_layer(const Handle(StepData_StepModel) & model, TextHolders& texts
   model->AddWithRefs(layer);
 }
 
-Handle(Standard_Transient) StepColours::style_of(const Colour& colour) {
+Handle(Standard_Transient) StepColours::style_of(const analysis::Colour& colour) {
   Handle(Standard_Transient)& known = styles_[colour];
   if (!known.IsNull()) return known;
   Handle(StepVisual_ColourRgb) rgb = new StepVisual_ColourRgb;
@@ -109,7 +110,8 @@ Handle(Standard_Transient) StepColours::style_of(const Colour& colour) {
   return known;
 }
 
-void StepColours::add(const Handle(StepRepr_RepresentationItem) & item, const Colour& colour) {
+void StepColours::add(const Handle(StepRepr_RepresentationItem) & item,
+                      const analysis::Colour& colour) {
   Handle(StepVisual_HArray1OfPresentationStyleAssignment) styles =
       new StepVisual_HArray1OfPresentationStyleAssignment(1, 1);
   styles->SetValue(1, Handle(StepVisual_PresentationStyleAssignment)::DownCast(style_of(colour)));
@@ -152,8 +154,9 @@ std::vector<StepLayer> step_layers(const Handle(StepData_StepModel) & model) {
   return layers;
 }
 
-std::map<Standard_Transient*, Colour> step_colours(const Handle(StepData_StepModel) & model) {
-  std::map<Standard_Transient*, Colour> colours;
+std::map<Standard_Transient*, analysis::Colour> step_colours(const Handle(StepData_StepModel) &
+                                                             model) {
+  std::map<Standard_Transient*, analysis::Colour> colours;
   for (int i = 1; i <= model->NbEntities(); ++i) {
     const auto styled = Handle(StepVisual_StyledItem)::DownCast(model->Value(i));
     if (styled.IsNull() || styled->Styles().IsNull() || styled->Item().IsNull()) continue;

@@ -21,13 +21,13 @@ void add_step_layer(const Handle(StepData_StepModel) & model, TextHolders& texts
 // is where other programs look for them.
 class StepColours {
  public:
-  void add(const Handle(StepRepr_RepresentationItem) & item, const Colour& colour);
+  void add(const Handle(StepRepr_RepresentationItem) & item, const analysis::Colour& colour);
   void put_into(const Handle(StepData_StepModel) & model) const;
 
  private:
-  Handle(Standard_Transient) style_of(const Colour& colour);
+  Handle(Standard_Transient) style_of(const analysis::Colour& colour);
 
-  std::map<Colour, Handle(Standard_Transient)> styles_;
+  std::map<analysis::Colour, Handle(Standard_Transient)> styles_;
   std::vector<Handle(StepRepr_RepresentationItem)> styled_;
 };
 
@@ -38,6 +38,7 @@ struct StepLayer {
 
 // The layers of a model, and the colours of items that have one.
 std::vector<StepLayer> step_layers(const Handle(StepData_StepModel) & model);
-std::map<Standard_Transient*, Colour> step_colours(const Handle(StepData_StepModel) & model);
+std::map<Standard_Transient*, analysis::Colour> step_colours(const Handle(StepData_StepModel) &
+                                                             model);
 
 }  // namespace hull::exchange

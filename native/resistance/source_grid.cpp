@@ -18,7 +18,7 @@ using Down = ChebyshevNodes<SourceGrid::kDown>;
 // interpolation at n nodes is off by at most 2 (phase / 4)^n / n! (Lagrange's remainder).
 constexpr double kPhase = 24.0, kFirstDecay = 2.0;
 constexpr double kInterpolated = 1e-11;
-constexpr int kTurned = 32;  // panels along which a wave is turned on before it is computed anew
+constexpr int kTurnedOn = 32;  // panels along which a wave is turned on before it is computed anew
 
 // Of Chebyshev nodes of a range of k over which no phase turns by more than this.
 int nodes_for(double phase) {
@@ -200,7 +200,7 @@ Eigen::MatrixXcd SourceGrid::sums(int layer, std::span<const double> wave_number
   Eigen::ArrayXd middle_cos, middle_sin, last;
   Rows at_nodes, cosines, sines, real = Rows::Zero(k.size(), kDown), imaginary = real;
   for (int panel = 0; panel < own.panels; ++panel) {
-    if (panel % kTurned == 0) {
+    if (panel % kTurnedOn == 0) {
       const Eigen::ArrayXd phases = k * (aft_ + (panel + 0.5) * own.width);
       middle_cos = phases.cos();
       middle_sin = phases.sin();

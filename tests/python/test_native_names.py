@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Names of anonymous namespaces are used once in a folder: its sources may be compiled as one
-(cmake/units.cmake)."""
+"""One name is one thing: names of anonymous namespaces are used once in a folder, whose sources may
+be compiled as one (cmake/units.cmake), and what headers declare bears its name alone."""
 
 import re
 from collections import defaultdict

@@ -11,7 +11,7 @@
 namespace hull::analysis {
 namespace {
 
-constexpr int kMostDivisions = 16;
+constexpr int kMostHalvingsOfPatch = 16;
 // Of all patches together, before surfaces count as entangled: looks at other members, twenty times
 // what samples with appendages take.
 constexpr int kMostLooks = 1000000;
@@ -103,7 +103,7 @@ void JoinedShells::collect(const surface::BezierPatch& patch, int member, bool h
   }
   if (!is_among && role != MemberRole::kAdded) return;
   const double u = extent(patch, 0), v = extent(patch, 1);
-  if (std::max(u, v) > width && depth < kMostDivisions) {
+  if (std::max(u, v) > width && depth < kMostHalvingsOfPatch) {
     surface::BezierPatch low, high;
     patch.split(u > v ? 0 : 1, low, high);
     collect(low, member, has_area, depth + 1);

@@ -10,7 +10,7 @@ namespace {
 constexpr double kNoWidth = 1e-13;  // of the whole range
 
 // A line that runs forward; `way` is -1 where its outline runs aft along it.
-struct Edge {
+struct ProfileEdge {
   Vector2d from, to;
   int outline, way;
 
@@ -40,27 +40,28 @@ LengthRange length_range_of(const std::vector<ProfileOutline>& outlines) {
   return range;
 }
 
-std::vector<Edge> edges_within(const std::vector<ProfileOutline>& outlines,
-                               const LengthRange& range) {
-  std::vector<Edge> edges;
+std::vector<ProfileEdge> edges_within(const std::vector<ProfileOutline>& outlines,
+                                      const LengthRange& range) {
+  std::vector<ProfileEdge> edges;
   for (std::size_t k = 0; k < outlines.size(); ++k) {
     for (const auto& [a, b] : outlines[k].lines) {
       if (a.x() == b.x()) continue;
       const bool forward = a.x() < b.x();
-      const Edge edge{forward ? a : b, forward ? b : a, static_cast<int>(k), forward ? 1 : -1};
+      const ProfileEdge edge{forward ? a : b, forward ? b : a, static_cast<int>(k),
+                             forward ? 1 : -1};
       if (edge.from.x() < range.high && edge.to.x() > range.low) edges.push_back(edge);
     }
   }
   std::sort(edges.begin(), edges.end(),
-            [](const Edge& a, const Edge& b) { return a.from.x() < b.from.x(); });
+            [](const ProfileEdge& a, const ProfileEdge& b) { return a.from.x() < b.from.x(); });
   return edges;
 }
 
 // Of two edges of different outlines, where they cross.
-void add_crossings(const std::vector<Edge>& edges, std::vector<double>& breaks) {
+void add_crossings(const std::vector<ProfileEdge>& edges, std::vector<double>& breaks) {
   for (std::size_t i = 0; i < edges.size(); ++i) {
     for (std::size_t j = i + 1; j < edges.size(); ++j) {
-      const Edge &a = edges[i], &b = edges[j];
+      const ProfileEdge &a = edges[i], &b = edges[j];
       if (b.from.x() >= a.to.x()) break;
       if (a.outline == b.outline) continue;
       const double begin = b.from.x(), end = std::min(a.to.x(), b.to.x());
@@ -71,9 +72,9 @@ void add_crossings(const std::vector<Edge>& edges, std::vector<double>& breaks) 
 }
 
 // All x between which edges neither begin, nor end, nor cross.
-std::vector<double> breaks_of(const std::vector<Edge>& edges, const LengthRange& range) {
+std::vector<double> breaks_of(const std::vector<ProfileEdge>& edges, const LengthRange& range) {
   std::vector<double> breaks{range.low, range.high};
-  for (const Edge& edge : edges) {
+  for (const ProfileEdge& edge : edges) {
     breaks.push_back(edge.from.x());
     breaks.push_back(edge.to.x());
   }
@@ -88,11 +89,11 @@ std::vector<double> breaks_of(const std::vector<Edge>& edges, const LengthRange&
 }
 
 // For each stretch between breaks the edges over its middle.
-std::vector<std::vector<const Edge*>> edges_over(const std::vector<Edge>& edges,
-                                                 const std::vector<double>& breaks) {
-  std::vector<std::vector<const Edge*>> over(breaks.size() - 1);
+std::vector<std::vector<const ProfileEdge*>> edges_over(const std::vector<ProfileEdge>& edges,
+                                                        const std::vector<double>& breaks) {
+  std::vector<std::vector<const ProfileEdge*>> over(breaks.size() - 1);
   const auto middle = [&](std::size_t k) { return 0.5 * (breaks[k] + breaks[k + 1]); };
-  for (const Edge& edge : edges) {
+  for (const ProfileEdge& edge : edges) {
     const auto first = std::upper_bound(breaks.begin(), breaks.end(), edge.from.x());
     std::size_t k = first == breaks.begin() ? 0 : first - breaks.begin() - 1;
     for (; k < over.size() && middle(k) < edge.to.x(); ++k) {
@@ -121,17 +122,18 @@ std::vector<ProfilePart> profile_union(const std::vector<ProfileOutline>& outlin
   std::vector<ProfilePart> parts;
   const LengthRange range = length_range_of(outlines);
   if (!(range.high > range.low)) return parts;
-  const std::vector<Edge> edges = edges_within(outlines, range);
+  const std::vector<ProfileEdge> edges = edges_within(outlines, range);
   const std::vector<double> breaks = breaks_of(edges, range);
-  std::vector<std::vector<const Edge*>> over = edges_over(edges, breaks);
+  std::vector<std::vector<const ProfileEdge*>> over = edges_over(edges, breaks);
   std::vector<int> winding(outlines.size());
   for (std::size_t k = 0; k < over.size(); ++k) {
     const double begin = breaks[k], end = breaks[k + 1], middle = 0.5 * (begin + end);
-    std::sort(over[k].begin(), over[k].end(),
-              [&](const Edge* a, const Edge* b) { return a->at(middle) < b->at(middle); });
+    std::sort(over[k].begin(), over[k].end(), [&](const ProfileEdge* a, const ProfileEdge* b) {
+      return a->at(middle) < b->at(middle);
+    });
     std::fill(winding.begin(), winding.end(), 0);
     for (std::size_t i = 0; i + 1 < over[k].size(); ++i) {
-      const Edge &below = *over[k][i], &above = *over[k][i + 1];
+      const ProfileEdge &below = *over[k][i], &above = *over[k][i + 1];
       winding[below.outline] += below.way;
       const int times = times_more(outlines, winding);
       if (times == 0) continue;

@@ -13,6 +13,7 @@
 #include "analysis/arithmetic/bracketed_root.h"
 #include "analysis/fairness/cell_places.h"
 #include "surface/parallel_for.h"
+#include "surface/queries/infinity.h"
 
 namespace hull::analysis {
 namespace {
@@ -54,8 +55,7 @@ Samples take_samples(const surface::LimitSurface& surface, const NormalFunction&
     for (const int normal : normals) {
       const double step = step_between(range.at, samples.values[normal], period);
       if (std::isnan(step)) {
-        constexpr double kInfinity = std::numeric_limits<double>::infinity();
-        range = {0.0, -kInfinity, kInfinity};  // no level can be left out
+        range = {0.0, -surface::kInfinity, surface::kInfinity};  // no level can be left out
         continue;
       }
       range.low = std::min(step, range.low);

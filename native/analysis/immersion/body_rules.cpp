@@ -19,7 +19,7 @@ constexpr double kCornerArea = 1e-11;   // per irregular corner
 constexpr double kCoarse = 1e-9;       // tolerance from which on rules that are not exact will do
 constexpr double kLeastVolume = 1e-6;  // of size³: flat meshes
 
-constexpr double kGrid = 0.125;  // of the size, for the centre
+constexpr double kCentreGrid = 0.125;  // of the size, for the centre
 
 double power_of_two(double x) { return std::exp2(std::round(std::log2(x))); }
 
@@ -47,7 +47,8 @@ BodyRules body_rules(const surface::LimitSurface& surface, bool mirrored, double
   const Extent extent = extent_of(surface.mesh().points());
   const double size = power_of_two(surface.mesh().size());
   BodyRules rules;
-  rules.centre = kGrid * size * (extent.middle / (kGrid * size)).array().round().matrix();
+  rules.centre =
+      kCentreGrid * size * (extent.middle / (kCentreGrid * size)).array().round().matrix();
   if (mirrored) rules.centre.y() = 0.0;
   if (tolerance < kCoarse) {
     const double looser = std::max(1.0, tolerance / kFinest);

@@ -15,13 +15,13 @@ constexpr double kNoArea = 1e-9;
 
 using Cubic = std::array<Vector3d, 4>;  // Bézier points
 
-struct BorderLoop {
+struct BezierLoop {
   std::vector<Cubic> spans;  // in the surface's direction
   std::vector<int> cells;    // of each
 };
 
-std::vector<BorderLoop> border_loops(const std::vector<BorderEdge>& border) {
-  std::vector<BorderLoop> loops;
+std::vector<BezierLoop> border_loops(const std::vector<BorderEdge>& border) {
+  std::vector<BezierLoop> loops;
   for (const BorderEdge& edge : border) {
     if (edge.loop == static_cast<int>(loops.size())) loops.emplace_back();
     loops.back().spans.push_back(edge.points);
@@ -31,7 +31,7 @@ std::vector<BorderLoop> border_loops(const std::vector<BorderEdge>& border) {
 }
 
 // ∮ (z dx - x dz) / 2 of the Bézier cubics; exact (Farin 2002, area under a Bézier curve).
-double area_on_centre_plane(const BorderLoop& loop) {
+double area_on_centre_plane(const BezierLoop& loop) {
   const auto cross = [](const Vector3d& a, const Vector3d& b) {
     return a.z() * b.x() - a.x() * b.z();
   };
@@ -106,7 +106,7 @@ std::vector<ClosingPatch> closing_patches(const surface::LimitSurface& surface,
                                           const std::vector<BorderEdge>& edges, bool mirrored) {
   const double size = surface.mesh().size();
   std::vector<ClosingPatch> result;
-  for (const BorderLoop& loop : border_loops(edges)) {
+  for (const BezierLoop& loop : border_loops(edges)) {
     const Box extent = extent_of(loop.spans);
     const double diagonal = (extent.high - extent.low).norm();
     const bool at_centre = mirrored && extent.low.y() <= kOnCentrePlane * size;

@@ -48,10 +48,10 @@ struct ShareCorner {
 };
 
 // A square loses at most one corner to each plane, and gets two for it.
-using Share = SmallList<ShareCorner, 8>;
+using SquareShare = SmallList<ShareCorner, 8>;
 
-Share clipped(const Share& polygon, int plane) {
-  Share kept;
+SquareShare clipped(const SquareShare& polygon, int plane) {
+  SquareShare kept;
   for (std::size_t k = 0; k < polygon.size(); ++k) {
     const ShareCorner &a = polygon[k], &b = polygon[(k + 1) % polygon.size()];
     const double at_a = a.height[plane], at_b = b.height[plane];
@@ -68,7 +68,7 @@ Share clipped(const Share& polygon, int plane) {
 
 // How much of a square is below both planes, by the heights of its corners.
 double share_below(const BicubicPoints& points, const Plane& first, const Plane& second) {
-  Share polygon;
+  SquareShare polygon;
   for (const auto& [u, v] : {std::pair(0.0, 0.0), {1.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}}) {
     const Vector3d p = surface::evaluate_bicubic(points, u, v, 0).point;
     polygon.push_back({u, v, {first.height(p), second.height(p)}});

@@ -16,7 +16,7 @@ namespace hull::analysis {
 namespace {
 
 // All of the mesh's size.
-constexpr double kChordTolerance = 1e-7;
+constexpr double kSectionTolerance = 1e-7;
 constexpr double kOnKnuckle = 5e-6;
 
 void check_positions(const std::vector<double>& positions, const std::string& kind) {
@@ -39,7 +39,7 @@ class Station {
       : same_(kSamePosition * surface.mesh().size()),
         on_knuckle_(kOnKnuckle * surface.mesh().size()),
         curves_(section(surface, line_plane(surface, Axis::kX, x),
-                        SectionOptions{kChordTolerance * surface.mesh().size(),
+                        SectionOptions{kSectionTolerance * surface.mesh().size(),
                                        kInSection * surface.mesh().size()})) {}
 
   Offset half_breadth(double z) const {

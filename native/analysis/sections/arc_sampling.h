@@ -19,7 +19,7 @@ struct ArcSample {
 
 namespace arc_sampling_internal {
 
-inline constexpr int kDeepest = 10;  // up to 1025 points an arc
+inline constexpr int kDeepestChord = 10;  // up to 1025 points an arc
 
 // The cubic with the two points and derivatives as control points between them.
 struct HermiteCubic {
@@ -52,7 +52,7 @@ void refine(const Curve& curve, double t_a, const ArcSample& a, double t_b, cons
             double tolerance, double error, int depth, std::vector<SectionPoint>& points) {
   const HermiteCubic cubic(a, b, t_b - t_a);
   const double off = cubic.off_chord();
-  if (off + error <= tolerance || depth == kDeepest) {
+  if (off + error <= tolerance || depth == kDeepestChord) {
     points.push_back(b.p);
     return;
   }

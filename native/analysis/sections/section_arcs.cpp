@@ -65,9 +65,9 @@ class PieceArcs {
 };
 
 // The zeros of a simple square as a curve over its u (after the exchange, if swapped).
-class Crossing {
+class ZeroCurve {
  public:
-  Crossing(const PieceArcs& piece, const NetSquare& square, bool swapped)
+  ZeroCurve(const PieceArcs& piece, const NetSquare& square, bool swapped)
       : piece_(piece), square_(square), swapped_(swapped) {}
 
   ArcSample at(double t) const {
@@ -117,7 +117,7 @@ Ends ends_of(const BezierNet& net) {
 
 void PieceArcs::add_simple(const NetSquare& square, bool swapped) {
   const BezierNet& net = square.net;
-  const Crossing curve(*this, square, swapped);
+  const ZeroCurve curve(*this, square, swapped);
   const auto at_end = [&](const ArcEnd& end) {
     return end.across < 0.0 ? curve.at(end.t) : curve.at(end.t, end.across);
   };

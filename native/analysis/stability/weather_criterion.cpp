@@ -15,7 +15,7 @@
 namespace hull::analysis {
 namespace {
 
-constexpr double kGravity = 9.81;  // m/s², the code's
+constexpr double kCodeGravity = 9.81;  // m/s², the code's
 constexpr double kGust = 1.5;
 constexpr double kSteepestHeel = 16.0 * kDegree, kOfDeckEdge = 0.8;
 constexpr double kLastHeelOfWind = 50.0 * kDegree;
@@ -88,7 +88,7 @@ class Weather {
       throw std::invalid_argument(words.str());
     }
     result_.steady_lever =
-        options_.wind_pressure * area * result_.wind_lever / (1000.0 * kGravity * load_.mass_t);
+        options_.wind_pressure * area * result_.wind_lever / (1000.0 * kCodeGravity * load_.mass_t);
     result_.gust_lever = kGust * result_.steady_lever;
   }
 

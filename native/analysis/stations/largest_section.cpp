@@ -12,7 +12,7 @@ namespace {
 constexpr int kScanned = 8;  // intervals
 // Of the scan, whose first and last station touch a rounded end along a line.
 constexpr int kDeepestScanned = 6;
-constexpr double kSameArea = 1e-12;
+constexpr double kLevelArea = 1e-12;  // of the area: parallel stations differ by rounding
 // Of the range: half of the digits, as the area is flat at its maximum.
 constexpr double kSettled = 1e-8;  // of the area: what a step to the top of a parabola gains
 constexpr double kNarrow = 1e-5;
@@ -105,12 +105,12 @@ SectionArea largest_section(const StationCutter& cutter, const Plane& water) {
   int best = kScanned / 2;
   for (int k = 1; k <= kScanned / 2; ++k) {
     for (int i : {kScanned / 2 - k, kScanned / 2 + k}) {
-      if (scan[i].area > scan[best].area * (1.0 + kSameArea)) best = i;
+      if (scan[i].area > scan[best].area * (1.0 + kLevelArea)) best = i;
     }
   }
   const int left = std::max(best - 1, 0), right = std::min(best + 1, kScanned);
-  const bool level = scan[left].area >= scan[best].area * (1.0 - kSameArea) &&
-                     scan[right].area >= scan[best].area * (1.0 - kSameArea);
+  const bool level = scan[left].area >= scan[best].area * (1.0 - kLevelArea) &&
+                     scan[right].area >= scan[best].area * (1.0 - kLevelArea);
   if (level) return immersed_station(cutter, scan[best].position, water);
   scan[best] = immersed_station(cutter, scan[best].position, water, rule);
   const SectionArea found = refine_largest(cutter, water, scan[left], scan[best], scan[right],

@@ -12,7 +12,7 @@
 namespace hull::conversion {
 namespace {
 
-struct Loop {
+struct PlaneLoop {
   EdgePath path;
   std::vector<Vector2d> polygon;  // as seen from outside
   double area = 0.0;              // negative: a hole
@@ -25,8 +25,8 @@ class Loops {
     for (const DirectedEdge& edge : edges) from_[maker.from(edge)].push_back(edge);
   }
 
-  std::vector<Loop> make() {
-    std::vector<Loop> loops;
+  std::vector<PlaneLoop> make() {
+    std::vector<PlaneLoop> loops;
     for (auto& [vertex, leaving] : from_) {
       while (!leaving.empty()) loops.push_back(loop_from(vertex));
     }
@@ -39,8 +39,8 @@ class Loops {
     return {is_port_half_ ? point.x() : -point.x(), point.z()};
   }
 
-  Loop loop_from(int vertex) {
-    Loop loop;
+  PlaneLoop loop_from(int vertex) {
+    PlaneLoop loop;
     DirectedEdge edge = from_[vertex].back();
     from_[vertex].pop_back();
     for (;;) {
@@ -119,12 +119,12 @@ bool is_within(const Vector2d& point, const std::vector<Vector2d>& polygon) {
 }  // namespace
 
 void close_centre_plane(CapMaker& maker, const EdgePath& edges, bool is_port_half) {
-  const std::vector<Loop> loops = Loops(maker, edges, is_port_half).make();
+  const std::vector<PlaneLoop> loops = Loops(maker, edges, is_port_half).make();
   std::vector<std::vector<EdgePath>> faces(loops.size());
   for (std::size_t i = 0; i < loops.size(); ++i) {
     if (loops[i].area > 0.0) faces[i].push_back(loops[i].path);
   }
-  for (const Loop& hole : loops) {
+  for (const PlaneLoop& hole : loops) {
     if (hole.area > 0.0) continue;
     std::size_t around = loops.size();
     double least = std::numeric_limits<double>::infinity();

@@ -27,9 +27,9 @@ struct KnotList {
   }
 };
 
-class Matcher {
+class KnotMatcher {
  public:
-  explicit Matcher(PatchSet& set) : set_(set) {
+  explicit KnotMatcher(PatchSet& set) : set_(set) {
     for (const BSplinePatch& patch : set.patches) {
       lists_.push_back({KnotList(patch.knots_u), KnotList(patch.knots_v)});
     }
@@ -89,6 +89,6 @@ class Matcher {
 
 }  // namespace
 
-void match_knots(PatchSet& set) { Matcher(set).match(); }
+void match_knots(PatchSet& set) { KnotMatcher(set).match(); }
 
 }  // namespace hull::conversion

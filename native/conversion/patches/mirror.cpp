@@ -10,11 +10,11 @@
 namespace hull::conversion {
 namespace {
 
-struct Seam {
+struct MirrorSeam {
   std::vector<bool> edges, vertices;
 };
 
-Seam find_seam(const PatchSet& set) {
+MirrorSeam find_seam(const PatchSet& set) {
   const double size = set.size();
   std::vector<int> uses(set.edge_count, 0);
   for (const auto& sides : set.sides) {
@@ -22,7 +22,8 @@ Seam find_seam(const PatchSet& set) {
       for (const SideEdge& part : side) ++uses[part.edge];
     }
   }
-  Seam seam{std::vector<bool>(set.edge_count, false), std::vector<bool>(set.vertex_count, false)};
+  MirrorSeam seam{std::vector<bool>(set.edge_count, false),
+                  std::vector<bool>(set.vertex_count, false)};
   for (int p = 0; p < static_cast<int>(set.patches.size()); ++p) {
     for (int k = 0; k < 4; ++k) {
       for (const SideEdge& part : set.sides[p][k]) {
@@ -48,7 +49,7 @@ void flatten_part(BSplinePatch& patch, int side, const SideEdge& part, double to
 }
 
 void flatten(BSplinePatch& patch, const std::array<int, 4>& corners,
-             const std::array<PatchSide, 4>& sides, const Seam& seam, double tolerance) {
+             const std::array<PatchSide, 4>& sides, const MirrorSeam& seam, double tolerance) {
   for (int k = 0; k < 4; ++k) {
     double& y = patch.control_points[patch.side_index(k, 0)].y();
     if (seam.vertices[corners[k]] && std::abs(y) <= tolerance) y = 0.0;
@@ -78,7 +79,7 @@ std::vector<int> image_numbers(const std::vector<bool>& on_seam, int& count) {
   return numbers;
 }
 
-PatchSet flattened(const PatchSet& half, const Seam& seam) {
+PatchSet flattened(const PatchSet& half, const MirrorSeam& seam) {
   PatchSet result = half;
   const double tolerance = kNoLength * half.size();
   for (size_t p = 0; p < half.patches.size(); ++p) {
@@ -98,7 +99,7 @@ bool lies_in_centre_plane(const BSplineCurve& curve, double size) {
 PatchSet with_seam_in_plane(const PatchSet& half) { return flattened(half, find_seam(half)); }
 
 PatchSet with_mirror_image(const PatchSet& half) {
-  const Seam seam = find_seam(half);
+  const MirrorSeam seam = find_seam(half);
   PatchSet whole = flattened(half, seam);
   if (!half.blocks.empty()) whole.blocks.resize(2 * half.patches.size());
   const std::vector<int> vertices = image_numbers(seam.vertices, whole.vertex_count);

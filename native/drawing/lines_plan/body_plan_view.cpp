@@ -74,11 +74,12 @@ void draw_offsets(SheetBuilder& builder, const View& view, const GridBox& grid,
 void draw_split(SheetBuilder& builder, const View& view, const Pen& pen,
                 const std::vector<ShipCurve>& curves, const HullExtents& extents) {
   for (const ShipCurve& curve : curves) {
-    for (const ShipCurve& part : part_of_curve(curve, 1, kOffCentre / view.scale, Side::kAbove)) {
-      for (const ShipCurve& aft : part_of_curve(part, 0, extents.midship, Side::kBelow)) {
+    for (const ShipCurve& part :
+         part_of_curve(curve, 1, kOffCentre / view.scale, LimitSide::kAbove)) {
+      for (const ShipCurve& aft : part_of_curve(part, 0, extents.midship, LimitSide::kBelow)) {
         draw_ship_curve(builder, pen, end_view(view, kAft), aft);
       }
-      for (const ShipCurve& fore : part_of_curve(part, 0, extents.midship, Side::kAbove)) {
+      for (const ShipCurve& fore : part_of_curve(part, 0, extents.midship, LimitSide::kAbove)) {
         draw_ship_curve(builder, pen, end_view(view, kFore), fore);
       }
     }

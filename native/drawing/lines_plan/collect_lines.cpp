@@ -112,7 +112,7 @@ void add_port_half(std::vector<ShipCurve>& curves, ShipCurve curve, double slack
     for (Vector3d& point : points) to_centre_plane(point);
     curve.spline = surface::CubicSpline(std::move(points), curve.spline->knots());
   }
-  for (ShipCurve& part : part_of_curve(curve, 1, 0.0, Side::kAbove)) {
+  for (ShipCurve& part : part_of_curve(curve, 1, 0.0, LimitSide::kAbove)) {
     curves.push_back(std::move(part));
   }
 }

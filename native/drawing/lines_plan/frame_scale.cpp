@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kNearestMarks = 0.5;    // mm
 constexpr double kNearestNumbers = 9.0;  // mm, wider than any number
-constexpr double kNumberSize = 2.2;
+constexpr double kMarkNumberSize = 2.2;
 
 // Every so many frames have a number.
 long numbered_every(double mm_per_frame) {
@@ -87,12 +87,12 @@ void draw_frame_scale(SheetBuilder& builder, const View& view, const GridBox& gr
                                                                           : 0.8;
     builder.draw(pens::kFrameScale, {{x, y}, {x, y + length}});
     if (!numbered) continue;
-    const TextStyle style{.size = kNumberSize, .ink = inks::kGrey};
+    const TextStyle style{.size = kMarkNumberSize, .ink = inks::kGrey};
     const OrientedBox box = SheetBuilder::text_box(mark.name, style, {x, y + 3.3});
     if (builder.has_room(box, 0.2, view.bounds)) builder.put_text(mark.name, style, box);
   }
   const auto put = [&](const std::string& text, double x, Align align) {
-    const TextStyle style{.size = kNumberSize, .ink = inks::kGrey};
+    const TextStyle style{.size = kMarkNumberSize, .ink = inks::kGrey};
     const OrientedBox box = SheetBuilder::text_box(text, style, {x, y + 1.0}, align);
     if (builder.has_room(box, 0.2, view.bounds)) builder.put_text(text, style, box);
   };

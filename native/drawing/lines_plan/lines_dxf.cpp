@@ -20,12 +20,12 @@ constexpr double kAboveCurve = 0.4;  // mm
 
 // AutoCAD's first colours, in the order red, green, blue, magenta; the nearest hue is taken.
 constexpr int kBlackOrWhite = 7;
-constexpr int kGrey = 8;
+constexpr int kGreyIndex = 8;
 
-int colour_index(const Colour& colour) {
+int colour_index(const Ink& colour) {
   const double high = std::max({colour.red, colour.green, colour.blue});
   const double low = std::min({colour.red, colour.green, colour.blue});
-  if (high - low < 0.1) return high < 0.2 ? kBlackOrWhite : kGrey;
+  if (high - low < 0.1) return high < 0.2 ? kBlackOrWhite : kGreyIndex;
   if (colour.red > colour.green && colour.blue > colour.green && colour.red > 0.6 * colour.blue &&
       colour.blue > 0.6 * colour.red) {
     return 6;  // magenta

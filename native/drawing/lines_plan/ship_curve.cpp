@@ -20,7 +20,7 @@ Vector3d crossing(const Vector3d& a, const Vector3d& b, int axis, double limit) 
 
 // The parts of the spline on the side.
 std::vector<surface::CubicSpline> part_of(const surface::CubicSpline& spline, int axis,
-                                          double limit, Side side) {
+                                          double limit, LimitSide side) {
   std::vector<double> ends = crossings_of_spline(spline, axis, limit);
   ends.insert(ends.begin(), spline.begin());
   ends.push_back(spline.end());
@@ -29,7 +29,7 @@ std::vector<surface::CubicSpline> part_of(const surface::CubicSpline& spline, in
     if (!(ends[i - 1] < ends[i])) continue;
     const double middle = 0.5 * (ends[i - 1] + ends[i]);
     const bool above = spline.evaluate(middle, 0).point[axis] >= limit;
-    if (above == (side == Side::kAbove)) {
+    if (above == (side == LimitSide::kAbove)) {
       parts.push_back(part_of_spline(spline, ends[i - 1], ends[i]));
     }
   }
@@ -39,9 +39,9 @@ std::vector<surface::CubicSpline> part_of(const surface::CubicSpline& spline, in
 }  // namespace
 
 std::vector<std::vector<Vector3d>> part_of_curve(const std::vector<Vector3d>& curve, int axis,
-                                                 double limit, Side side) {
+                                                 double limit, LimitSide side) {
   const auto kept = [&](const Vector3d& point) {
-    return side == Side::kAbove ? point[axis] >= limit : point[axis] <= limit;
+    return side == LimitSide::kAbove ? point[axis] >= limit : point[axis] <= limit;
   };
   std::vector<std::vector<Vector3d>> parts;
   std::vector<Vector3d> part;
@@ -63,7 +63,8 @@ std::vector<std::vector<Vector3d>> part_of_curve(const std::vector<Vector3d>& cu
   return parts;
 }
 
-std::vector<ShipCurve> part_of_curve(const ShipCurve& curve, int axis, double limit, Side side) {
+std::vector<ShipCurve> part_of_curve(const ShipCurve& curve, int axis, double limit,
+                                     LimitSide side) {
   std::vector<ShipCurve> parts;
   for (std::vector<Vector3d>& points : part_of_curve(curve.points, axis, limit, side)) {
     parts.push_back({std::move(points), std::nullopt});

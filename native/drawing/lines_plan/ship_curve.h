@@ -17,17 +17,18 @@ struct ShipCurve {
   std::optional<surface::CubicSpline> spline;
 };
 
-enum class Side { kBelow, kAbove };
+enum class LimitSide { kBelow, kAbove };
 
 // The parts of the polyline `curve` whose coordinate `axis` (0, 1, 2) is at most (kBelow) or at
 // least (kAbove) `limit`, each with its end points put exactly on the limit where it was cut. A
 // part of a single point is dropped. A curve that lies in the limiting plane is kept whole by both
 // sides.
 std::vector<std::vector<Eigen::Vector3d>> part_of_curve(const std::vector<Eigen::Vector3d>& curve,
-                                                        int axis, double limit, Side side);
+                                                        int axis, double limit, LimitSide side);
 
 // The same with splines. A part is left without one where points and spline disagree about the
 // parts there are, as where a curve only just reaches over the limit.
-std::vector<ShipCurve> part_of_curve(const ShipCurve& curve, int axis, double limit, Side side);
+std::vector<ShipCurve> part_of_curve(const ShipCurve& curve, int axis, double limit,
+                                     LimitSide side);
 
 }  // namespace hull::drawing

@@ -165,7 +165,7 @@ void label_horizontals(SheetBuilder& builder, const View& view, const GridBox& g
 }
 
 void label_on_curve(SheetBuilder& builder, const View& view, const std::vector<PlacedCurve>& curves,
-                    const std::string& text, Colour ink, const std::vector<double>& wanted) {
+                    const std::string& text, Ink ink, const std::vector<double>& wanted) {
   const PlacedCurve* curve = longest(curves);
   if (!curve) return;
   const TextStyle style{.size = 2.4, .ink = ink, .knockout = true};

@@ -20,14 +20,14 @@ using GridBox = Eigen::AlignedBox2d;
 struct Tick {
   double at;  // page x of a vertical line, page y of a horizontal one
   std::string text;
-  Colour ink;
+  Ink ink;
   bool first;  // gets its place before the others
 };
 
 // How a family of lines is drawn as curves, and its labels.
 struct LineFamily {
   const Pen& pen;
-  Colour ink;
+  Ink ink;
 };
 inline constexpr LineFamily kStationLines{pens::kStation, inks::kStation};
 inline constexpr LineFamily kWaterlineLines{pens::kWaterline, inks::kWaterline};
@@ -76,7 +76,7 @@ void label_horizontals(SheetBuilder& builder, const View& view, const GridBox& g
 // room to one of the page abscissas `wanted`, the first ones before the later. Nothing is written
 // when there is no room.
 void label_on_curve(SheetBuilder& builder, const View& view, const std::vector<PlacedCurve>& curves,
-                    const std::string& text, Colour ink, const std::vector<double>& wanted);
+                    const std::string& text, Ink ink, const std::vector<double>& wanted);
 
 // Whether this waterline is the design waterline.
 bool is_design_waterline(const LinesDrawing& drawing, const NamedCurves& waterline);

@@ -94,7 +94,7 @@ double unit_scale(const Sheet& sheet, FileKind kind) {
 
 bool is_dashed(const Dashes& dashes) { return dashes != Dashes{}; }
 
-void set_colour(cairo_t* context, const Colour& colour) {
+void set_colour(cairo_t* context, const Ink& colour) {
   cairo_set_source_rgba(context, colour.red, colour.green, colour.blue, colour.opacity);
 }
 

@@ -8,13 +8,13 @@ namespace hull::drawing {
 
 // Dark enough to print well in grey, apart enough to tell the families in colour.
 namespace inks {
-inline constexpr Colour kBlack{0.0, 0.0, 0.0};
-inline constexpr Colour kGrey{0.42, 0.42, 0.42};
-inline constexpr Colour kPaleGrey{0.72, 0.72, 0.72};
-inline constexpr Colour kStation{0.07, 0.22, 0.55};
-inline constexpr Colour kWaterline{0.03, 0.38, 0.26};
-inline constexpr Colour kButtock{0.62, 0.12, 0.10};
-inline constexpr Colour kDiagonal{0.45, 0.14, 0.50};
+inline constexpr Ink kBlack{0.0, 0.0, 0.0};
+inline constexpr Ink kGrey{0.42, 0.42, 0.42};
+inline constexpr Ink kPaleGrey{0.72, 0.72, 0.72};
+inline constexpr Ink kStation{0.07, 0.22, 0.55};
+inline constexpr Ink kWaterline{0.03, 0.38, 0.26};
+inline constexpr Ink kButtock{0.62, 0.12, 0.10};
+inline constexpr Ink kDiagonal{0.45, 0.14, 0.50};
 }  // namespace inks
 
 namespace pens {

@@ -15,12 +15,12 @@
 
 namespace hull::drawing {
 
-// Each part in [0, 1].
-struct Colour {
+// What lines, areas and letters are drawn in, each part in [0, 1].
+struct Ink {
   double red, green, blue;
   double opacity = 1.0;
 
-  bool operator==(const Colour&) const = default;
+  bool operator==(const Ink&) const = default;
 };
 
 // Lengths of line and gap in turn, mm; all zero for an unbroken line.
@@ -28,7 +28,7 @@ using Dashes = std::array<double, 4>;
 
 struct Pen {
   double width;  // mm
-  Colour colour;
+  Ink colour;
   Dashes dashes = {};
   std::string_view layer = {};  // of files that have layers; a literal
 
@@ -49,7 +49,7 @@ struct Stroke {
 
 // A polygon filled without an outline; three points or more.
 struct Fill {
-  Colour colour;
+  Ink colour;
   std::vector<Eigen::Vector2d> points;
 };
 
@@ -66,7 +66,7 @@ struct Label {
   std::string text;
   double size;  // the font's em, mm
   bool bold;
-  Colour ink;
+  Ink ink;
   bool knockout;   // blank the paper beneath: the label interrupts a curve
   double descent;  // from the bottom of the box up to the baseline
   OrientedBox box;

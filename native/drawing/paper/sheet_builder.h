@@ -25,7 +25,7 @@ inline constexpr double kLabelSize = 2.8;  // mm, about 8 points
 struct TextStyle {
   double size = kLabelSize;
   bool bold = false;
-  Colour ink = inks::kBlack;
+  Ink ink = inks::kBlack;
   bool knockout = false;
 };
 
@@ -43,12 +43,12 @@ class SheetBuilder {
   int draw_curve(const Pen& pen, PagePath points, std::optional<PageSpline> spline = std::nullopt);
 
   // Above the lines: a dot, the part of a bar.
-  void fill(const Colour& colour, PagePath polygon) {
+  void fill(const Ink& colour, PagePath polygon) {
     sheet_.patches.push_back({colour, std::move(polygon)});
   }
 
   // Below the lines.
-  void shade(const Colour& colour, PagePath polygon) {
+  void shade(const Ink& colour, PagePath polygon) {
     sheet_.areas.push_back({colour, std::move(polygon)});
   }
 

@@ -39,7 +39,7 @@ struct PlotCurve {
   std::string symbol;  // short, set on the curve itself; may be empty
   std::vector<double> x, y;
   int x_axis = 0;
-  std::optional<Colour> colour;  // default: the next of the palette (plot_pens.h)
+  std::optional<Ink> colour;  // default: the next of the palette (plot_pens.h)
   LineStyle style = LineStyle::kSolid;
   bool guide = false;  // thin, and the axes are not widened for its sake
 

@@ -95,7 +95,7 @@ Vector2d kept_left_of(double right, double half, Vector2d place) {
   return place;
 }
 
-void put_number(SheetBuilder& builder, const std::string& text, const Colour& ink,
+void put_number(SheetBuilder& builder, const std::string& text, const Ink& ink,
                 const Vector2d& place, double right) {
   const TextStyle style{.size = kNumberSize, .ink = ink};
   const double half = 0.5 * text_size(text, kNumberSize, false).width;
@@ -122,7 +122,7 @@ std::vector<int> curves_on(const Plot& plot, int axis) {
 void draw_ruler(SheetBuilder& builder, const Plot& plot, const PlotFrame& frame, int axis,
                 double right) {
   const std::vector<int> curves = curves_on(plot, axis);
-  const Colour ink = curves.empty() ? inks::kBlack : colour_of(plot, curves.front());
+  const Ink ink = curves.empty() ? inks::kBlack : colour_of(plot, curves.front());
   const double left_end = frame.area.min().x(), right_end = frame.area.max().x();
   const double y = frame.area.max().y() + 1.5 + axis * kRulerRow;
   const Pen pen{0.18, ink};

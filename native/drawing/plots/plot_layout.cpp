@@ -113,7 +113,7 @@ std::vector<LegendEntry> legend_entries(const Plot& plot, const PlotFrame& frame
   }
   for (const int number : unlabelled.markers) {
     const PlotMarker& marker = plot.markers[number];
-    const Colour ink = marker.curve < 0 ? inks::kBlack : colour_of(plot, marker.curve);
+    const Ink ink = marker.curve < 0 ? inks::kBlack : colour_of(plot, marker.curve);
     entries.push_back({LegendSign::kDot, {0.0, ink}, marker.label, 2.0});
   }
   for (const int number : unlabelled.lines) {

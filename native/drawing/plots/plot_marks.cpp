@@ -26,7 +26,7 @@ int axis_of(const Plot& plot, const PlotMarker& marker) {
   return marker.curve < 0 ? 0 : plot.curves[marker.curve].x_axis;
 }
 
-Colour ink_of(const Plot& plot, const PlotMarker& marker) {
+Ink ink_of(const Plot& plot, const PlotMarker& marker) {
   return marker.curve < 0 ? inks::kBlack : colour_of(plot, marker.curve);
 }
 
@@ -39,7 +39,7 @@ OrientedBox box_beside(const std::string& text, const TextStyle& style, const Ve
   return box;
 }
 
-bool put_marker_text(SheetBuilder& builder, const std::string& text, const Colour& ink,
+bool put_marker_text(SheetBuilder& builder, const std::string& text, const Ink& ink,
                      const Vector2d& dot, const AlignedBox2d& bounds) {
   static const std::array<Vector2d, 8> kDirections{
       {{1, -1}, {-1, -1}, {1, 1}, {-1, 1}, {1, 0}, {-1, 0}, {0, -1}, {0, 1}}};

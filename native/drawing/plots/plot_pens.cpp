@@ -9,16 +9,16 @@ namespace hull::drawing {
 
 namespace {
 
-constexpr std::array<Colour, 8> kPalette{{{0.05, 0.25, 0.60},
-                                          {0.75, 0.12, 0.10},
-                                          {0.02, 0.45, 0.25},
-                                          {0.55, 0.10, 0.55},
-                                          {0.80, 0.42, 0.00},
-                                          {0.00, 0.48, 0.60},
-                                          {0.40, 0.26, 0.13},
-                                          {0.20, 0.20, 0.20}}};
+constexpr std::array<Ink, 8> kPalette{{{0.05, 0.25, 0.60},
+                                       {0.75, 0.12, 0.10},
+                                       {0.02, 0.45, 0.25},
+                                       {0.55, 0.10, 0.55},
+                                       {0.80, 0.42, 0.00},
+                                       {0.00, 0.48, 0.60},
+                                       {0.40, 0.26, 0.13},
+                                       {0.20, 0.20, 0.20}}};
 
-constexpr std::array<Colour, 3> kAreas{
+constexpr std::array<Ink, 3> kAreas{
     {{0.25, 0.50, 0.85, 0.25}, {0.90, 0.60, 0.10, 0.25}, {0.15, 0.65, 0.40, 0.25}}};
 
 constexpr double kCurveWidth = 0.38;
@@ -40,11 +40,11 @@ Dashes dashes_of(LineStyle style) {
 
 }  // namespace
 
-Colour palette_colour(int number) {
+Ink palette_colour(int number) {
   return kPalette[static_cast<std::size_t>(number) % kPalette.size()];
 }
 
-Colour colour_of(const Plot& plot, int curve) {
+Ink colour_of(const Plot& plot, int curve) {
   return plot.curves[curve].colour.value_or(palette_colour(curve));
 }
 
@@ -53,6 +53,6 @@ Pen pen_of(const Plot& plot, int curve) {
   return {drawn.guide ? kGuideWidth : kCurveWidth, colour_of(plot, curve), dashes_of(drawn.style)};
 }
 
-Colour area_colour(int number) { return kAreas[static_cast<std::size_t>(number) % kAreas.size()]; }
+Ink area_colour(int number) { return kAreas[static_cast<std::size_t>(number) % kAreas.size()]; }
 
 }  // namespace hull::drawing

@@ -16,14 +16,14 @@ inline constexpr Pen kReference{0.22, {0.30, 0.30, 0.30}, {2.4, 0.9, 0.5, 0.9}};
 }  // namespace pens
 
 // Dark enough on white paper, and apart in brightness as well as in hue.
-Colour palette_colour(int number);
+Ink palette_colour(int number);
 
-Colour colour_of(const Plot& plot, int curve);
+Ink colour_of(const Plot& plot, int curve);
 
 // The pen of a curve.
 Pen pen_of(const Plot& plot, int curve);
 
 // Of the area with this number among the areas of a plot: pale, so that the grid shows through.
-Colour area_colour(int number);
+Ink area_colour(int number);
 
 }  // namespace hull::drawing

@@ -14,8 +14,9 @@
 namespace hull::modelling {
 namespace {
 
-// Of the extent: a base so near the centre plane is its own image.
-constexpr double kInPlane = 1e-9;
+// Of the extent: a base so near the centre plane is its own image. Two images so near would shift
+// points twice as far as one does.
+constexpr double kOwnImage = 1e-9;
 // What varies along a base is looked at in so many places between two of its values.
 constexpr int kLooked = 32;
 // Feet are found up to so many extents, so that they need not be found anew when it grows a little.
@@ -63,7 +64,7 @@ ShapeFields::ShapeFields(std::vector<ShapeField> fields, bool mirrored, FieldBle
       if (!shift.allFinite()) throw std::invalid_argument(name + ": the shift is no number.");
     }
     const double extent = *std::ranges::min_element(field.extent.values());
-    is_in_plane_.push_back(mirrored && field.base->is_in_centre_plane(kInPlane * extent));
+    is_in_plane_.push_back(mirrored && field.base->is_in_centre_plane(kOwnImage * extent));
     sides_.push_back({i, false});
     if (mirrored_ && !is_in_plane_[i]) sides_.push_back({i, true});
   }

@@ -39,10 +39,10 @@ void check_targets(const surface::LimitSurface& surface, const std::vector<PullT
 }
 
 using Sparse = Eigen::SparseMatrix<double>;
-using WeightRows = std::vector<std::vector<surface::PointWeight>>;
+using WeightsOfPlaces = std::vector<std::vector<surface::PointWeight>>;
 
 // A column for each coordinate of all control points' moves, in threes of rows for each place.
-Sparse weights_of(const WeightRows& rows, Eigen::Index columns) {
+Sparse weights_of(const WeightsOfPlaces& rows, Eigen::Index columns) {
   std::vector<Eigen::Triplet<double>> entries;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     for (const surface::PointWeight& w : rows[i]) {
@@ -111,7 +111,7 @@ Solution least_moves(const Sparse& weights, const Sparse& directions, const Eige
 
 // What all control points do as each place moves along each axis, within the limits.
 Sparse following_moves(const surface::LimitSurface& surface, const std::vector<PullTarget>& targets,
-                       const WeightRows& rows, const ReshapeLimits& limits,
+                       const WeightsOfPlaces& rows, const ReshapeLimits& limits,
                        const PullSpread& spread, const MoveSpace& space) {
   const std::vector<Freedom> freedoms = freedoms_within(limits.limits, space.point_count());
   std::vector<Eigen::Triplet<double>> entries;
@@ -137,7 +137,7 @@ Pull pull(const surface::LimitSurface& surface, const std::vector<PullTarget>& t
   check_targets(surface, targets);
   check_spread(spread);
   surface::PointWeights weights(surface);
-  WeightRows rows;
+  WeightsOfPlaces rows;
   Eigen::VectorXd r(3 * static_cast<Eigen::Index>(targets.size()));
   double longest = 0.0;
   for (std::size_t i = 0; i < targets.size(); ++i) {

@@ -10,7 +10,7 @@
 namespace hull::morphing {
 
 // The way of an inner edge of one disc through the other one.
-struct EdgePath {
+struct EdgeTrace {
   int half_edge;     // of its own disc, in the direction of the walk
   int begin, count;  // of EdgeTraces::stretches
 };
@@ -18,7 +18,7 @@ struct EdgePath {
 // One disc in the other.
 struct EdgeTraces {
   std::vector<Location> locations;  // of each point
-  std::vector<EdgePath> paths;      // of each inner edge
+  std::vector<EdgeTrace> paths;     // of each inner edge
   std::vector<Stretch> stretches;
 };
 

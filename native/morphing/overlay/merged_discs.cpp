@@ -27,7 +27,7 @@ void add_inner_sides(const DiscPair& maps, const EdgeTraces& traces, int disc,
   const auto pair = [disc](int mine, int others) {
     return disc == 0 ? std::array<int, 2>{mine, others} : std::array<int, 2>{others, mine};
   };
-  for (const EdgePath& path : traces.paths) {
+  for (const EdgeTrace& path : traces.paths) {
     const int h = path.half_edge, left = own.face(h), right = own.face(own.twin(h));
     int from = merged.numbers[disc][own.origin(h)];
     for (int i = path.begin; i < path.begin + path.count; ++i) {

@@ -13,7 +13,7 @@ constexpr std::size_t kMostCrossings = 50'000'000;
 void find_crossings(const std::array<const DiscMap*, 2>& maps, const EdgeTraces& second,
                     std::vector<std::array<int, 2>>& crossings) {
   const mesh::Topology &t = maps[0]->disc().topology(), &u = maps[1]->disc().topology();
-  for (const EdgePath& path : second.paths) {
+  for (const EdgeTrace& path : second.paths) {
     // The last stretch ends at a point of the second disc.
     for (int i = path.begin; i + 1 < path.begin + path.count; ++i) {
       const Location& at = second.stretches[i].end;

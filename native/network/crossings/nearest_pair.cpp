@@ -18,9 +18,9 @@ struct Approach {
   Matrix2d bend;
 };
 
-class Descent {
+class PairDescent {
  public:
-  Descent(const NurbsCurve& first, const NurbsCurve& second) : first_(first), second_(second) {
+  PairDescent(const NurbsCurve& first, const NurbsCurve& second) : first_(first), second_(second) {
     low_ = {first.begin(), second.begin()};
     high_ = {first.end(), second.end()};
   }
@@ -99,7 +99,7 @@ class Descent {
 
 std::array<double, 2> nearest_pair(const NurbsCurve& first, const NurbsCurve& second,
                                    std::array<double, 2> start) {
-  const Vector2d at = Descent(first, second).run({start[0], start[1]});
+  const Vector2d at = PairDescent(first, second).run({start[0], start[1]});
   return {at[0], at[1]};
 }
 

@@ -24,7 +24,7 @@ struct Border {
 
 // `turned`: the side runs against its coordinate; `inwards`: whether the coordinate across rises
 // into the patch.
-Border border_of(const PatchSide& side, const Dual& t, bool is_turned, bool is_inwards) {
+Border border_of(const RibbonedSide& side, const Dual& t, bool is_turned, bool is_inwards) {
   const double along_sense = is_turned ? -1.0 : 1.0, across_sense = is_inwards ? 1.0 : -1.0;
   const auto jet_at = [&](double u) {
     SideJet jet = side(is_turned ? 1.0 - u : u);
@@ -50,7 +50,7 @@ DualPlace twist(const Vector3d& along_u, const Vector3d& along_v, const Dual& fr
 
 }  // namespace
 
-PatchPoint coons_gregory(const std::vector<PatchSide>& sides, const Vector2d& place) {
+PatchPoint coons_gregory(const std::vector<RibbonedSide>& sides, const Vector2d& place) {
   const Dual u{place[0], {1.0, 0.0}}, v{place[1], {0.0, 1.0}};
   const std::array<Border, 2> along_u{border_of(sides[0], u, false, true),
                                       border_of(sides[2], u, true, false)};

@@ -3,11 +3,11 @@
 
 #include <vector>
 
-#include "network/patches/patch_side.h"
+#include "network/patches/ribboned_side.h"
 
 namespace hull::network {
 
 // A point of the patch of four sides, over the unit square (see TransfinitePatch).
-PatchPoint coons_gregory(const std::vector<PatchSide>& sides, const Vector2d& place);
+PatchPoint coons_gregory(const std::vector<RibbonedSide>& sides, const Vector2d& place);
 
 }  // namespace hull::network

@@ -17,8 +17,8 @@ Dual distance_from(const Vector2d& from, const Vector2d& to, const Vector2d& pla
 
 // The side after a corner and the one before, both from it.
 struct Corner {
-  const PatchSide& after;
-  const PatchSide& before;
+  const RibbonedSide& after;
+  const RibbonedSide& before;
 };
 
 struct FromCorner {
@@ -27,7 +27,7 @@ struct FromCorner {
 };
 
 // A side's jet in the sense away from the corner.
-FromCorner from_corner(const PatchSide& side, const Dual& t, bool is_turned) {
+FromCorner from_corner(const RibbonedSide& side, const Dual& t, bool is_turned) {
   const double sense = is_turned ? -1.0 : 1.0;
   const SideJet jet = side(is_turned ? 1.0 - t.value : t.value);
   const SideJet at_corner = side(is_turned ? 1.0 : 0.0);
@@ -49,8 +49,8 @@ DualPlace corner_patch(const Corner& corner, const Dual& u, const Dual& v) {
 
 }  // namespace
 
-PatchPoint corner_blend(const std::vector<PatchSide>& sides, const std::vector<Vector2d>& polygon,
-                        const Vector2d& place) {
+PatchPoint corner_blend(const std::vector<RibbonedSide>& sides,
+                        const std::vector<Vector2d>& polygon, const Vector2d& place) {
   const std::size_t count = sides.size();
   std::vector<Dual> d;
   for (std::size_t i = 0; i < count; ++i) {

@@ -3,13 +3,13 @@
 
 #include <vector>
 
-#include "network/patches/patch_side.h"
+#include "network/patches/ribboned_side.h"
 
 namespace hull::network {
 
 // A point of the patch of three or five and more sides, over a regular polygon (see
 // TransfinitePatch).
-PatchPoint corner_blend(const std::vector<PatchSide>& sides, const std::vector<Vector2d>& polygon,
-                        const Vector2d& place);
+PatchPoint corner_blend(const std::vector<RibbonedSide>& sides,
+                        const std::vector<Vector2d>& polygon, const Vector2d& place);
 
 }  // namespace hull::network

@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "network/patches/patch_side.h"
+#include "network/patches/ribboned_side.h"
 
 namespace hull::network {
 

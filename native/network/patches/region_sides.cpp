@@ -209,12 +209,12 @@ std::vector<double> side_ends(const NetworkFrame& frame, const RegionSide& side)
   return ends;
 }
 
-std::vector<PatchSide> ribboned_sides(std::shared_ptr<const NetworkFrame> frame,
-                                      const std::vector<RegionSide>& sides) {
+std::vector<RibbonedSide> ribboned_sides(std::shared_ptr<const NetworkFrame> frame,
+                                         const std::vector<RegionSide>& sides) {
   std::vector<SideCurve> curves;
   for (const RegionSide& side : sides) curves.emplace_back(frame, side);
   const std::size_t count = curves.size();
-  std::vector<PatchSide> ribboned;
+  std::vector<RibbonedSide> ribboned;
   for (std::size_t i = 0; i < count; ++i) {
     const Vector3d before = -curves[(i + count - 1) % count].at(1.0).slope;
     const Vector3d after = curves[(i + 1) % count].at(0.0).slope;

@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "network/patches/patch_side.h"
+#include "network/patches/ribboned_side.h"
 #include "network/planes/edge_normals.h"
 
 namespace hull::network {
@@ -49,7 +49,7 @@ std::vector<double> side_ends(const NetworkFrame& frame, const RegionSide& side)
 // (Koelman 1999, (5.2)), where α and β are linear between those that the neighbouring sides' slopes
 // have at the corners; the normal is brought to that of these slopes by a cubic without slope at
 // the ends, where edges at a corner are off its plane. The frame must live as long.
-std::vector<PatchSide> ribboned_sides(std::shared_ptr<const NetworkFrame> frame,
-                                      const std::vector<RegionSide>& sides);
+std::vector<RibbonedSide> ribboned_sides(std::shared_ptr<const NetworkFrame> frame,
+                                         const std::vector<RegionSide>& sides);
 
 }  // namespace hull::network

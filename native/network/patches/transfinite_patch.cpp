@@ -19,7 +19,7 @@ constexpr int kMostSides = 10;
 constexpr double kAgreement = 1e-9;  // of the size, and of ribbons' lengths
 constexpr int kLengthParts = 16;
 
-double side_length(const PatchSide& side) {
+double side_length(const RibbonedSide& side) {
   double length = 0.0;
   Vector3d before = side(0.0).point;
   for (int i = 1; i <= kLengthParts; ++i) {
@@ -32,7 +32,7 @@ double side_length(const PatchSide& side) {
 
 // In the middle the ribbon of a half is the other half's slope, from there; to the half's other end
 // it becomes what it was, all the way in the side's tangent plane.
-PatchSide half_of(const PatchSide& side, bool is_first) {
+RibbonedSide half_of(const RibbonedSide& side, bool is_first) {
   return [side, is_first](double u) {
     const SideJet whole = side(0.5 * (is_first ? u : 1.0 + u));
     const Vector3d slope = 0.5 * whole.slope, bend = 0.25 * whole.bend;
@@ -45,10 +45,10 @@ PatchSide half_of(const PatchSide& side, bool is_first) {
   };
 }
 
-std::vector<PatchSide> with_halved_side(const std::vector<PatchSide>& sides) {
+std::vector<RibbonedSide> with_halved_side(const std::vector<RibbonedSide>& sides) {
   const std::size_t longer = side_length(sides[1]) > side_length(sides[0]) ? 1 : 0;
   // The other side's ribbons are slopes of halves at its ends.
-  const PatchSide other = [whole = sides[1 - longer]](double u) {
+  const RibbonedSide other = [whole = sides[1 - longer]](double u) {
     SideJet jet = whole(u);
     jet.ribbon *= 0.5;
     jet.ribbon_slope *= 0.5;
@@ -58,21 +58,21 @@ std::vector<PatchSide> with_halved_side(const std::vector<PatchSide>& sides) {
 }
 
 // The side with what it was at each parameter asked for before.
-PatchSide remembering(const PatchSide& side) {
+RibbonedSide remembering(const RibbonedSide& side) {
   return [side, known = std::make_shared<std::unordered_map<double, SideJet>>()](double u) {
     const auto found = known->find(u);
     return found != known->end() ? found->second : known->emplace(u, side(u)).first->second;
   };
 }
 
-PatchPoint point_of(const std::vector<PatchSide>& sides, const std::vector<Vector2d>& domain,
+PatchPoint point_of(const std::vector<RibbonedSide>& sides, const std::vector<Vector2d>& domain,
                     const Vector2d& place) {
   return sides.size() == 4 ? coons_gregory(sides, place) : corner_blend(sides, domain, place);
 }
 
 }  // namespace
 
-TransfinitePatch::TransfinitePatch(std::vector<PatchSide> sides) : sides_(std::move(sides)) {
+TransfinitePatch::TransfinitePatch(std::vector<RibbonedSide> sides) : sides_(std::move(sides)) {
   const auto count = static_cast<int>(sides_.size());
   if (count < 2 || count > kMostSides) {
     throw std::invalid_argument("A patch has two to " + std::to_string(kMostSides) +
@@ -93,7 +93,7 @@ TransfinitePatch::TransfinitePatch(std::vector<PatchSide> sides) : sides_(std::m
 
 void TransfinitePatch::check() const {
   double size = 0.0;
-  for (const PatchSide& side : sides_) size = std::max(size, side_length(side));
+  for (const RibbonedSide& side : sides_) size = std::max(size, side_length(side));
   for (std::size_t i = 0; i < sides_.size(); ++i) {
     const std::size_t next = (i + 1) % sides_.size();
     const SideJet a = sides_[i](1.0), b = sides_[next](0.0);
@@ -117,8 +117,8 @@ PatchPoint TransfinitePatch::at(const Vector2d& place) const {
 }
 
 std::vector<PatchPoint> TransfinitePatch::at_all(const std::vector<Vector2d>& places) const {
-  std::vector<PatchSide> sides;
-  for (const PatchSide& side : sides_) sides.push_back(remembering(side));
+  std::vector<RibbonedSide> sides;
+  for (const RibbonedSide& side : sides_) sides.push_back(remembering(side));
   std::vector<PatchPoint> points;
   for (const Vector2d& place : places) points.push_back(point_of(sides, domain_, place));
   return points;

@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "network/patches/patch_side.h"
+#include "network/patches/ribboned_side.h"
 
 namespace hull::network {
 
@@ -27,7 +27,7 @@ class TransfinitePatch {
   // Throws std::invalid_argument for fewer than two and more than ten sides, for sides whose ends
   // are further apart than 1e-9 of the patch's size, and for ribbons that differ as far, of their
   // length, from the neighbouring side's slope.
-  explicit TransfinitePatch(std::vector<PatchSide> sides);
+  explicit TransfinitePatch(std::vector<RibbonedSide> sides);
 
   // The corners of the domain, counterclockwise; side i goes from corner i to the next, by shares.
   // A patch of two sides has three.
@@ -44,7 +44,7 @@ class TransfinitePatch {
  private:
   void check() const;
 
-  std::vector<PatchSide> sides_;
+  std::vector<RibbonedSide> sides_;
   std::vector<Vector2d> domain_;
 };
 

@@ -28,10 +28,10 @@ const EdgeShape& shape_of(const std::vector<EdgeShape>& shapes, const EdgeEnd& e
 }
 
 // In the plane across a normal, from some direction in it, counterclockwise.
-struct View {
+struct NodeView {
   Vector3d right, up;
 
-  explicit View(const Vector3d& normal) {
+  explicit NodeView(const Vector3d& normal) {
     right = normal.unitOrthogonal();
     up = normal.cross(right);
   }
@@ -43,7 +43,7 @@ struct View {
 // How far apart directions are seen along a normal: the least angle between neighbours, by the
 // least length in which one is seen.
 double spread_seen(const Vector3d& normal, const std::vector<Vector3d>& directions) {
-  const View view(normal);
+  const NodeView view(normal);
   std::vector<double> angles;
   double least_length = 1.0;
   for (const Vector3d& direction : directions) {
@@ -168,7 +168,7 @@ class Ordering3d {
   }
 
   void sort_ends(std::size_t node) {
-    const View view(order_.normals[node]);
+    const NodeView view(order_.normals[node]);
     Ends& ends = order_.around[node];
     const auto angle = [&](const EdgeEnd& end) {
       return view.angle(shape_of(shapes_, end).tangent_from(end.is_start));
@@ -188,7 +188,8 @@ class Ordering3d {
   }
 
   // The angle from one edge to another, by their chords at one distance from the node.
-  double turned(std::size_t node, const View& view, const EdgeEnd& from, const EdgeEnd& to) const {
+  double turned(std::size_t node, const NodeView& view, const EdgeEnd& from,
+                const EdgeEnd& to) const {
     const double reach =
         0.25 * std::min(shape_of(shapes_, from).length(), shape_of(shapes_, to).length());
     const auto seen = [&](const EdgeEnd& end) {

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "network/patches/patch_side.h"
+#include "network/patches/ribboned_side.h"
 
 namespace hull::network {
 

@@ -15,7 +15,8 @@ constexpr int kTestsOfSpan = 4;
 constexpr double kSameSlope = 1e-9;  // of a spline's size
 constexpr double kRounding = 2e-14;  // of it
 
-double furthest_in(const BSplineCurve& spline, const CurveJet& curve, double low, double width) {
+double furthest_in(const BSplineCurve& spline, const CurveFunction& curve, double low,
+                   double width) {
   double error = 0.0;
   for (int i = 0; i < kTestsOfSpan; ++i) {
     const double t = low + width * (i + 0.5) / kTestsOfSpan;
@@ -25,7 +26,7 @@ double furthest_in(const BSplineCurve& spline, const CurveJet& curve, double low
 }
 
 // With the spans halved that are to be; false where none may be.
-bool halve(SplineBreaks& breaks, const std::vector<bool>& is_off, const CurveJet& curve) {
+bool halve(SplineBreaks& breaks, const std::vector<bool>& is_off, const CurveFunction& curve) {
   SplineBreaks halved{{0.0}, {breaks.places.front()}};
   for (std::size_t s = 0; s < breaks.spans(); ++s) {
     if (is_off[s] && breaks.width(s) > kLeastSpan) {
@@ -95,7 +96,7 @@ BSplineCurve complete_spline(const SplineBreaks& breaks, const Vector3d& start_s
   return curve;
 }
 
-FittedSpline fitted_spline(const CurveJet& curve, double tolerance) {
+FittedSpline fitted_spline(const CurveFunction& curve, double tolerance) {
   const Points3 start = curve(0.0), end = curve(1.0);
   SplineBreaks breaks{{0.0, 1.0}, {start.row(0), end.row(0)}};
   while (true) {

@@ -11,7 +11,7 @@ namespace hull::network {
 using conversion::BSplineCurve;
 
 // The point and the slope of a curve over 0 … 1, a row each.
-using CurveJet = std::function<Points3(double)>;
+using CurveFunction = std::function<Points3(double)>;
 
 struct FittedSpline {
   BSplineCurve curve;
@@ -35,7 +35,7 @@ BSplineCurve complete_spline(const SplineBreaks& breaks, const Vector3d& start_s
 // complete spline). Spans that are not within `tolerance`, m, of the curve are halved, down to
 // 2^-12 of the whole, while there are no more than 128; polynomials up to the third degree are met
 // with one.
-FittedSpline fitted_spline(const CurveJet& curve, double tolerance);
+FittedSpline fitted_spline(const CurveFunction& curve, double tolerance);
 
 // The point and the slope at t, which is within [0, 1].
 Points3 spline_jet(const BSplineCurve& curve, double t);

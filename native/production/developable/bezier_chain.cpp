@@ -32,7 +32,7 @@ BezierChain::BezierChain(std::vector<BezierSpan> spans) : spans_(std::move(spans
   }
 }
 
-CurveJet BezierChain::at(double s) const {
+surface::CurveJet BezierChain::at(double s) const {
   const int k = std::clamp(static_cast<int>(std::floor(s)), 0, span_count() - 1);
   const BezierSpan& b = spans_[k];
   const double t = s - k, u = 1.0 - t;

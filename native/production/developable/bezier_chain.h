@@ -6,6 +6,7 @@
 
 #include "mesh/vectors.h"
 #include "production/developable/bernstein.h"
+#include "surface/creases/cubic_spline.h"
 
 namespace hull::production {
 
@@ -13,10 +14,6 @@ using BezierSpan = std::array<Vector3d, 4>;  // Bézier points
 
 BernsteinVector polynomial_of(const BezierSpan& span);
 BernsteinVector derivative_of(const BezierSpan& span);
-
-struct CurveJet {
-  Vector3d point, d1, d2;  // derivatives by the chain's parameter
-};
 
 // A curve of cubic spans, span k over the parameters [k, k + 1].
 class BezierChain {
@@ -26,8 +23,8 @@ class BezierChain {
 
   int span_count() const { return static_cast<int>(spans_.size()); }
   const BezierSpan& span(int k) const { return spans_[k]; }
-  // s within [0, span_count()], at a joint of the span that begins there.
-  CurveJet at(double s) const;
+  // s within [0, span_count()], at a joint of the span that begins there; derivatives by s.
+  surface::CurveJet at(double s) const;
 
  private:
   std::vector<BezierSpan> spans_;

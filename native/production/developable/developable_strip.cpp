@@ -14,7 +14,7 @@ constexpr double kNoValue = 1e-13;   // of the coefficients: rounding
 constexpr double kSameRoot = 1e-11;  // of parameters, on both sides of a joint
 
 // Both curves run on the same side of the line, so that the surface does not turn over on it.
-bool is_regular(const CurveJet& a, const CurveJet& b) {
+bool is_regular(const surface::CurveJet& a, const surface::CurveJet& b) {
   const Vector3d q = b.point - a.point;
   return a.d1.cross(q).dot(b.d1.cross(q)) > 0.0;
 }
@@ -62,7 +62,7 @@ std::vector<double> between(double from, double to, double step) {
 }  // namespace
 
 std::vector<double> touching(const BezierChain& a, double s, const BezierChain& b) {
-  const CurveJet jet = a.at(s);
+  const surface::CurveJet jet = a.at(s);
   const BernsteinVector tangent{Bernstein{jet.d1.x()}, Bernstein{jet.d1.y()},
                                 Bernstein{jet.d1.z()}};
   std::vector<double> all;
@@ -96,7 +96,7 @@ DevelopableStrip developable_strip(const BezierChain& a, const BezierChain& b, i
   std::vector<Candidate> candidates;
   for (int i = 0; i <= spans * per_span; ++i) {
     const double s = static_cast<double>(i) / per_span;
-    const CurveJet jet = a.at(s);
+    const surface::CurveJet jet = a.at(s);
     for (double t : touching(a, s, b)) {
       if (is_regular(jet, b.at(t))) candidates.push_back({s, t, i});
     }

@@ -13,12 +13,12 @@ Vector2d direction(double angle) { return {std::cos(angle), std::sin(angle)}; }
 double angle_of(const Vector2d& v) { return std::atan2(v.y(), v.x()); }
 
 // The turn of the first curve in its tangent planes, per parameter: κ_g |a'| (do Carmo 1976, 4-4).
-double turn(const CurveJet& a, const Vector3d& q) {
+double turn(const surface::CurveJet& a, const Vector3d& q) {
   return a.d1.cross(q).normalized().dot(a.d1.cross(a.d2)) / a.d1.squaredNorm();
 }
 
 // From the first curve to the ruling.
-double slant(const CurveJet& a, const Vector3d& q) {
+double slant(const surface::CurveJet& a, const Vector3d& q) {
   return std::atan2(a.d1.cross(q).norm(), a.d1.dot(q));
 }
 
@@ -33,7 +33,7 @@ double cone_angle(const BezierChain& curve, double from, double to, const Vector
                                    0.1111905172266872, 0.0506142681451881};
   double sum = 0.0;
   for (int k = 0; k < kNodes; ++k) {
-    const CurveJet jet = curve.at(from + kAt[k] * (to - from));
+    const surface::CurveJet jet = curve.at(from + kAt[k] * (to - from));
     const Vector3d r = jet.point - tip;
     sum += kWeight[k] * r.cross(jet.d1).norm() / r.squaredNorm();
   }
@@ -84,7 +84,7 @@ class Layout {
       const Ruling& next = strip_.rulings[i + 1];
       const double h = next.s - own.s, s = own.s + 0.5 * h;
       // The end belongs to this interval's span.
-      const CurveJet from = a_.at(own.s), half = a_.at(s), to = end_of(own.s, next.s);
+      const surface::CurveJet from = a_.at(own.s), half = a_.at(s), to = end_of(own.s, next.s);
       const double g0 = turn(from, ruling(own.s, own.t));
       const double gm = turn(half, ruling(s, middle(own, next)));
       const double g1 = turn(to, ruling(next.s, next.t));
@@ -98,7 +98,7 @@ class Layout {
     }
   }
 
-  CurveJet end_of(double from, double to) const {
+  surface::CurveJet end_of(double from, double to) const {
     const int k = static_cast<int>(std::floor(from + 1e-12));
     return BezierChain({a_.span(std::min(k, a_.span_count() - 1))}).at(to - k);
   }
@@ -106,7 +106,8 @@ class Layout {
   void place(int i, const Vector2d& at, double angle) {
     const Ruling& own = strip_.rulings[i];
     const Vector3d q = ruling(own.s, own.t);
-    const CurveJet jet = i > strip_.first ? end_of(strip_.rulings[i - 1].s, own.s) : a_.at(own.s);
+    const surface::CurveJet jet =
+        i > strip_.first ? end_of(strip_.rulings[i - 1].s, own.s) : a_.at(own.s);
     result_.a[i] = at;
     result_.b[i] = at + q.norm() * direction(angle + slant(jet, q));
   }

@@ -27,9 +27,9 @@ constexpr double kStep = 1e-6;  // of lengths, for slopes by central differences
 
 using Points = std::vector<Vector3d>;
 
-CurveJet jet_of(const BezierSpan& c, double t) {
+surface::CurveJet jet_of(const BezierSpan& c, double t) {
   const double s = 1.0 - t;
-  CurveJet jet;
+  surface::CurveJet jet;
   jet.point = s * s * s * c[0] + 3.0 * s * s * t * c[1] + 3.0 * s * t * t * c[2] + t * t * t * c[3];
   jet.d1 = 3.0 * (s * s * (c[1] - c[0]) + 2.0 * s * t * (c[2] - c[1]) + t * t * (c[3] - c[2]));
   return jet;
@@ -143,7 +143,7 @@ class Development {
       const BezierSpan a = row_.curve(k, false, points), b = row_.curve(k, true, points);
       for (int i = 0; i < kOnEdge; ++i) {
         const double t = i / (kOnEdge - 1.0);
-        const CurveJet one = jet_of(a, t), other = jet_of(b, t);
+        const surface::CurveJet one = jet_of(a, t), other = jet_of(b, t);
         r.push_back(beyond_warp(warp_between(one.d1, other.d1, other.point - one.point)));
         for (const bool second : {false, true}) {
           const double off = from_old(2 * k + (second ? 1 : 0), (second ? other : one).point);

@@ -85,7 +85,7 @@ std::array<Part, 2> halved(const Part& part) {
 }  // namespace
 
 double warp_at(const BezierSpan& a, const BezierSpan& b, double t) {
-  const CurveJet one = BezierChain({a}).at(t), other = BezierChain({b}).at(t);
+  const surface::CurveJet one = BezierChain({a}).at(t), other = BezierChain({b}).at(t);
   const Vector3d q = other.point - one.point;
   const double length = q.norm();
   if (length == 0.0) return std::numeric_limits<double>::infinity();

@@ -30,7 +30,7 @@ std::vector<double> even_parameters(const BezierChain& a, int count) {
 
 // Refuses rulings along the curve, where the surface has no tangent plane.
 void check_aside(const BezierChain& a, double s, const Vector3d& ruling, const char* remedy) {
-  const CurveJet jet = a.at(s);
+  const surface::CurveJet jet = a.at(s);
   const double off = jet.d1.cross(ruling).norm();
   if (off > kNoSine * jet.d1.norm() * ruling.norm()) return;
   throw std::invalid_argument("The curve runs along the straight line at its parameter " +

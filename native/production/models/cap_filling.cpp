@@ -11,9 +11,9 @@
 namespace hull::production {
 namespace {
 
-using Places = std::vector<Vector2d>;
+using PlanePlaces = std::vector<Vector2d>;
 
-double turn(const Places& p, int a, int b, int c) { return cross(p[b] - p[a], p[c] - p[a]); }
+double turn(const PlanePlaces& p, int a, int b, int c) { return cross(p[b] - p[a], p[c] - p[a]); }
 
 // How far from `from` counter-clockwise to `to`, in (0, 2 pi].
 double angle_between(const Vector2d& from, const Vector2d& to) {
@@ -21,7 +21,7 @@ double angle_between(const Vector2d& from, const Vector2d& to) {
   return angle > 0.0 ? angle : angle + 2.0 * M_PI;
 }
 
-bool encloses(const Loop& loop, const Places& places, const Vector2d& p) {
+bool encloses(const PointLoop& loop, const PlanePlaces& places, const Vector2d& p) {
   bool inside = false;
   for (std::size_t i = 0, j = loop.size() - 1; i < loop.size(); j = i++) {
     const Vector2d &a = places[loop[i]], &b = places[loop[j]];
@@ -33,14 +33,15 @@ bool encloses(const Loop& loop, const Places& places, const Vector2d& p) {
 
 // Whether the way from corner i of a loop to a place sets out strictly inside the loop. Where
 // several corners are at one point each has a part of the directions from there.
-bool sets_out_inside(const Loop& loop, std::size_t i, const Places& places, const Vector2d& to) {
+bool sets_out_inside(const PointLoop& loop, std::size_t i, const PlanePlaces& places,
+                     const Vector2d& to) {
   const Vector2d& at = places[loop[i]];
   const Vector2d next = places[loop[(i + 1) % loop.size()]] - at;
   const Vector2d before = places[loop[(i + loop.size() - 1) % loop.size()]] - at;
   return angle_between(next, to - at) < angle_between(next, before);
 }
 
-std::size_t rightmost(const Loop& loop, const Places& places) {
+std::size_t rightmost(const PointLoop& loop, const PlanePlaces& places) {
   std::size_t best = 0;
   for (std::size_t i = 1; i < loop.size(); ++i) {
     if (places[loop[i]].x() > places[loop[best]].x()) best = i;
@@ -48,14 +49,14 @@ std::size_t rightmost(const Loop& loop, const Places& places) {
   return best;
 }
 
-bool covers(const Places& p, int a, int b, int c, const Vector2d& q) {
+bool covers(const PlanePlaces& p, int a, int b, int c, const Vector2d& q) {
   return cross(p[b] - p[a], q - p[a]) >= 0.0 && cross(p[c] - p[b], q - p[b]) >= 0.0 &&
          cross(p[a] - p[c], q - p[c]) >= 0.0;
 }
 
 // The place in `outer` that a point to its left sees: the end of the side that is right of it, or a
 // corner in between, the one nearest in direction.
-std::size_t seen_from(const Loop& outer, const Places& places, const Vector2d& m) {
+std::size_t seen_from(const PointLoop& outer, const PlanePlaces& places, const Vector2d& m) {
   double nearest = std::numeric_limits<double>::infinity();
   std::size_t found = outer.size();
   for (std::size_t i = 0; i < outer.size(); ++i) {
@@ -97,10 +98,10 @@ std::size_t seen_from(const Loop& outer, const Places& places, const Vector2d& m
 }
 
 // The loop with a hole joined to it along a line that is run through both ways.
-void join_hole(Loop& outer, const Loop& hole, const Places& places) {
+void join_hole(PointLoop& outer, const PointLoop& hole, const PlanePlaces& places) {
   const std::size_t from = rightmost(hole, places);
   const std::size_t at = seen_from(outer, places, places[hole[from]]);
-  Loop joined(outer.begin(), outer.begin() + static_cast<std::ptrdiff_t>(at) + 1);
+  PointLoop joined(outer.begin(), outer.begin() + static_cast<std::ptrdiff_t>(at) + 1);
   for (std::size_t k = 0; k <= hole.size(); ++k) joined.push_back(hole[(from + k) % hole.size()]);
   joined.insert(joined.end(), outer.begin() + static_cast<std::ptrdiff_t>(at), outer.end());
   outer = std::move(joined);
@@ -109,7 +110,7 @@ void join_hole(Loop& outer, const Loop& hole, const Places& places) {
 // Cuts ears off one loop.
 class EarCutter {
  public:
-  EarCutter(Loop loop, const Places& places) : loop_(std::move(loop)), places_(places) {}
+  EarCutter(PointLoop loop, const PlanePlaces& places) : loop_(std::move(loop)), places_(places) {}
 
   void cut(std::vector<std::array<int, 3>>& triangles) {
     std::size_t at = 0, failed = 0;
@@ -162,13 +163,14 @@ class EarCutter {
     return best;
   }
 
-  Loop loop_;
-  const Places& places_;
+  PointLoop loop_;
+  const PlanePlaces& places_;
 };
 
 }  // namespace
 
-std::vector<Loop> chained(const std::vector<std::pair<int, int>>& sides, const Places& places) {
+std::vector<PointLoop> chained(const std::vector<std::pair<int, int>>& sides,
+                               const PlanePlaces& places) {
   std::unordered_map<int, std::vector<int>> leaving;
   for (const auto& [from, to] : sides) leaving[from].push_back(to);
   const auto take = [&](int before, int at) {
@@ -186,10 +188,10 @@ std::vector<Loop> chained(const std::vector<std::pair<int, int>>& sides, const P
     choices.erase(choices.begin() + static_cast<std::ptrdiff_t>(best));
     return next;
   };
-  std::vector<Loop> loops;
+  std::vector<PointLoop> loops;
   for (const auto& [from, to] : sides) {
     while (!leaving.at(from).empty()) {
-      Loop loop{from};
+      PointLoop loop{from};
       int before = -1, at = from;
       for (int next = take(before, at); next != from; next = take(before, at)) {
         before = at, at = next;
@@ -201,7 +203,7 @@ std::vector<Loop> chained(const std::vector<std::pair<int, int>>& sides, const P
   return loops;
 }
 
-double doubled_area(const Loop& loop, const Places& places) {
+double doubled_area(const PointLoop& loop, const PlanePlaces& places) {
   double sum = 0.0;
   for (std::size_t i = 1; i + 1 < loop.size(); ++i) {
     sum += turn(places, loop[0], loop[i], loop[i + 1]);
@@ -209,12 +211,14 @@ double doubled_area(const Loop& loop, const Places& places) {
   return sum;
 }
 
-std::vector<std::array<int, 3>> filled(const std::vector<Loop>& loops, const Places& places) {
-  std::vector<Loop> outer, holes;
-  for (const Loop& loop : loops) (doubled_area(loop, places) < 0.0 ? holes : outer).push_back(loop);
+std::vector<std::array<int, 3>> filled(const std::vector<PointLoop>& loops,
+                                       const PlanePlaces& places) {
+  std::vector<PointLoop> outer, holes;
+  for (const PointLoop& loop : loops)
+    (doubled_area(loop, places) < 0.0 ? holes : outer).push_back(loop);
   // Of the region that a hole is in the innermost one, which is the smallest.
-  std::vector<std::vector<Loop>> within(outer.size());
-  for (Loop& hole : holes) {
+  std::vector<std::vector<PointLoop>> within(outer.size());
+  for (PointLoop& hole : holes) {
     const Vector2d& p = places[hole[rightmost(hole, places)]];
     double least = std::numeric_limits<double>::infinity();
     std::size_t owner = outer.size();
@@ -231,10 +235,10 @@ std::vector<std::array<int, 3>> filled(const std::vector<Loop>& loops, const Pla
   }
   std::vector<std::array<int, 3>> triangles;
   for (std::size_t k = 0; k < outer.size(); ++k) {
-    std::sort(within[k].begin(), within[k].end(), [&](const Loop& a, const Loop& b) {
+    std::sort(within[k].begin(), within[k].end(), [&](const PointLoop& a, const PointLoop& b) {
       return places[a[rightmost(a, places)]].x() > places[b[rightmost(b, places)]].x();
     });
-    for (const Loop& hole : within[k]) join_hole(outer[k], hole, places);
+    for (const PointLoop& hole : within[k]) join_hole(outer[k], hole, places);
     EarCutter(std::move(outer[k]), places).cut(triangles);
   }
   return triangles;

@@ -17,17 +17,17 @@ namespace {
 // Of triangles in the cut, over their longest sides.
 constexpr double kNoCapHeight = 1e-3;
 
-using Triangle = std::array<int, 3>;
+using CornerNumbers = std::array<int, 3>;
 
 // Sides of triangles that none runs through the other way.
-std::vector<std::pair<int, int>> unmatched(const std::vector<Triangle>& triangles) {
+std::vector<std::pair<int, int>> unmatched(const std::vector<CornerNumbers>& triangles) {
   std::unordered_map<std::uint64_t, int> uses;
   uses.reserve(3 * triangles.size());
-  for (const Triangle& t : triangles) {
+  for (const CornerNumbers& t : triangles) {
     for (int k = 0; k < 3; ++k) ++uses[directed_key(t[k], t[(k + 1) % 3])];
   }
   std::vector<std::pair<int, int>> sides;
-  for (const Triangle& t : triangles) {
+  for (const CornerNumbers& t : triangles) {
     for (int k = 0; k < 3; ++k) {
       const int a = t[k], b = t[(k + 1) % 3];
       if (!uses.count(directed_key(b, a))) sides.emplace_back(a, b);
@@ -47,12 +47,13 @@ std::vector<Vector2d> seen_places(const std::vector<Vector3d>& points, int axis,
 
 // Closes open sides in a plane, with `holes` left in it (clockwise loops).
 void close_in_plane(ClosedModel& model, int axis, bool upward,
-                    std::vector<std::pair<int, int>> sides, const std::vector<Loop>& holes = {}) {
+                    std::vector<std::pair<int, int>> sides,
+                    const std::vector<PointLoop>& holes = {}) {
   for (auto& [from, to] : sides) std::swap(from, to);
   const std::vector<Vector2d> places = seen_places(model.points, axis, upward);
-  std::vector<Loop> loops = chained(sides, places);
+  std::vector<PointLoop> loops = chained(sides, places);
   loops.insert(loops.end(), holes.begin(), holes.end());
-  std::vector<Triangle> cap = filled(loops, places);
+  std::vector<CornerNumbers> cap = filled(loops, places);
   flip_slivers(model.points, cap, kNoCapHeight);
   model.triangles.insert(model.triangles.end(), cap.begin(), cap.end());
 }
@@ -65,7 +66,7 @@ class HalfCutter {
 
   ClosedModel part() {
     part_.points = model_.points;
-    for (const Triangle& triangle : model_.triangles) add(triangle);
+    for (const CornerNumbers& triangle : model_.triangles) add(triangle);
     close_in_plane(part_, axis_, !above_, unmatched(part_.triangles));
     drop_unused_points(part_);
     return std::move(part_);
@@ -78,7 +79,7 @@ class HalfCutter {
     return (height > at_) == above_ ? 1 : -1;
   }
 
-  void add(const Triangle& triangle) {
+  void add(const CornerNumbers& triangle) {
     std::vector<int> kept;
     bool is_inside = false;
     for (int k = 0; k < 3; ++k) {
@@ -137,15 +138,15 @@ ClosedModel drilled(const ClosedModel& model, int axis, double at, bool upward,
                     int corners) {
   ClosedModel result;
   result.points = model.points;
-  for (const Triangle& t : model.triangles) {
+  for (const CornerNumbers& t : model.triangles) {
     const Vector3d &a = model.points[t[0]], &b = model.points[t[1]], &c = model.points[t[2]];
     const bool in_plane = a[axis] == at && b[axis] == at && c[axis] == at;
     if (!in_plane || ((b - a).cross(c - a)[axis] > 0.0) != upward) result.triangles.push_back(t);
   }
-  std::vector<Loop> holes;
+  std::vector<PointLoop> holes;
   const double bottom = at + (upward ? -depth : depth);
   for (const Vector2d& centre : centres) {
-    Loop hole(corners);
+    PointLoop hole(corners);
     const int first = static_cast<int>(result.points.size());
     for (int k = 0; k < corners; ++k) {
       // Counter-clockwise as the plane is seen.

@@ -10,11 +10,11 @@
 namespace hull::production {
 namespace {
 
-using Triangle = std::array<int, 3>;
+using CornerNumbers = std::array<int, 3>;
 
 class Flipper {
  public:
-  Flipper(const std::vector<Vector3d>& points, std::vector<Triangle>& triangles, double least)
+  Flipper(const std::vector<Vector3d>& points, std::vector<CornerNumbers>& triangles, double least)
       : points_(points), triangles_(triangles), least_(least) {
     for (int t = 0; t < static_cast<int>(triangles.size()); ++t) enter(t);
   }
@@ -51,7 +51,7 @@ class Flipper {
     return longest > 0.0 ? area(a, b, c).norm() / longest : 0.0;
   }
 
-  int longest_side(const Triangle& t) const {
+  int longest_side(const CornerNumbers& t) const {
     int best = 0;
     double most = -1.0;
     for (int k = 0; k < 3; ++k) {
@@ -62,7 +62,7 @@ class Flipper {
   }
 
   bool flip(int t) {
-    const Triangle own = triangles_[t];
+    const CornerNumbers own = triangles_[t];
     const double before = height(own[0], own[1], own[2]);
     if (before >= least_) return false;
     const int side = longest_side(own);
@@ -70,7 +70,7 @@ class Flipper {
     const auto beyond = owner_.find(directed_key(a, c));
     if (beyond == owner_.end()) return false;
     const int other = beyond->second;
-    const Triangle& next = triangles_[other];
+    const CornerNumbers& next = triangles_[other];
     const int d = *std::find_if(next.begin(), next.end(), [=](int p) { return p != a && p != c; });
     if (d == b || owner_.contains(directed_key(b, d)) || owner_.contains(directed_key(d, b))) {
       return false;
@@ -89,14 +89,14 @@ class Flipper {
   }
 
   const std::vector<Vector3d>& points_;
-  std::vector<Triangle>& triangles_;
+  std::vector<CornerNumbers>& triangles_;
   double least_;                                  // height over the longest side
   std::unordered_map<std::uint64_t, int> owner_;  // by directed side
 };
 
 }  // namespace
 
-void flip_slivers(const std::vector<Vector3d>& points, std::vector<Triangle>& triangles,
+void flip_slivers(const std::vector<Vector3d>& points, std::vector<CornerNumbers>& triangles,
                   double height) {
   Flipper flipper(points, triangles, height);
   while (flipper.pass()) {

@@ -24,9 +24,9 @@ std::uint64_t side_key(int a, int b) {
 
 // Which points may be moved along which sides: those on a knuckle along it only, and those where
 // knuckles end or meet not at all.
-class Freedom {
+class MovablePoints {
  public:
-  explicit Freedom(const HullGrid& grid) : count_(grid.points.size(), 0) {
+  explicit MovablePoints(const HullGrid& grid) : count_(grid.points.size(), 0) {
     for (const auto& [a, b] : grid.knuckles) {
       sides_[side_key(a, b)] = 1;
       ++count_[a];
@@ -111,7 +111,7 @@ void WaterCut::find_crossings(const surface::Progress& progress) {
 
 // Panels that are cut near a corner would be slivers.
 void WaterCut::move_to_water() {
-  const Freedom freedom(grid_);
+  const MovablePoints movable(grid_);
   struct Move {
     double length;
     int to;
@@ -122,7 +122,7 @@ void WaterCut::move_to_water() {
     for (const auto& [point, other, part] :
          {std::tuple(low, high, crossing.part), std::tuple(high, low, 1.0 - crossing.part)}) {
       const bool keeps = grid_.points[point].y() != 0.0;
-      const bool free = freedom.may_move(point, other);
+      const bool free = movable.may_move(point, other);
       if (part > (free ? kNearWater : keeps ? kAtWater : 0.0)) continue;
       const double length = (points_[crossing.point] - grid_.points[point]).norm();
       const auto [place, is_new] = moves.try_emplace(point, Move{length, crossing.point});

@@ -15,7 +15,8 @@ namespace {
 constexpr double kMostAside = 0.6;
 
 // The sides with those that run along the centre plane apart from what else is border.
-std::vector<PlateSide> with_central_apart(const Shell& shell, const std::vector<PlateSide>& loop) {
+std::vector<PlateSide> with_central_apart(const PlatedShell& shell,
+                                          const std::vector<PlateSide>& loop) {
   const auto is_on = [&shell](int p) { return is_central(shell.surface, shell.mesh.points[p]); };
   std::vector<PlateSide> sides;
   for (const PlateSide& side : loop) {
@@ -32,7 +33,7 @@ std::vector<PlateSide> with_central_apart(const Shell& shell, const std::vector<
   return sides;
 }
 
-bool is_central_side(const Shell& shell, const PlateSide& side) {
+bool is_central_side(const PlatedShell& shell, const PlateSide& side) {
   return side.curve < 0 && std::all_of(side.points.begin(), side.points.end(), [&](int p) {
            return is_central(shell.surface, shell.mesh.points[p]);
          });
@@ -40,7 +41,7 @@ bool is_central_side(const Shell& shell, const PlateSide& side) {
 
 // Whether a plate faces where kMostAside lets it, and by what it and its mirror image are bent in
 // the centre plane, rad.
-std::pair<bool, double> bend_in_centre(const Shell& shell, const Plate& plate) {
+std::pair<bool, double> bend_in_centre(const PlatedShell& shell, const Plate& plate) {
   Vector3d sum = Vector3d::Zero();
   double aside = 0.0;
   for (const int t : plate.triangles) {
@@ -65,7 +66,7 @@ bool is_central(const surface::LimitSurface& surface, const Vector3d& point) {
   return std::abs(point.y()) <= kOnCentrePlane * surface.mesh().size();
 }
 
-void join_across_centre(const Shell& shell, double largest_knuckle, Plate& plate) {
+void join_across_centre(const PlatedShell& shell, double largest_knuckle, Plate& plate) {
   if (plate.loops.size() != 1) return;
   std::vector<PlateSide> sides = with_central_apart(shell, plate.loops.front());
   // A central stretch that the loop begins and ends with is one.

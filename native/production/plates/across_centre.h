@@ -10,6 +10,6 @@ bool is_central(const surface::LimitSurface& surface, const Vector3d& point);
 
 // Makes a plate of half a hull one with its mirror image, if PlatingOptions::across_centre says so
 // of it. One that touches the centre plane in several places stays as it is.
-void join_across_centre(const Shell& shell, double largest_knuckle, Plate& plate);
+void join_across_centre(const PlatedShell& shell, double largest_knuckle, Plate& plate);
 
 }  // namespace hull::production

@@ -16,7 +16,7 @@ struct PlateMesh {
     int triangle;              // of the shell's mesh
     std::array<int, 6> nodes;  // corners 0, 1, 2; middles of 01, 12, 20
   };
-  std::shared_ptr<const Shell> shell;
+  std::shared_ptr<const PlatedShell> shell;
   std::vector<Element> elements;
   std::vector<int> corners;  // the shell's points that nodes 0 … corners.size() - 1 are
   int node_count = 0;

@@ -54,7 +54,7 @@ class Sides {
 
 class Divider {
  public:
-  Divider(const Shell& shell, const PlatingOptions& options)
+  Divider(const PlatedShell& shell, const PlatingOptions& options)
       : shell_(shell), mesh_(shell.mesh), options_(options), sides_(shell.mesh) {}
 
   std::vector<Plate> divide() {
@@ -81,7 +81,7 @@ class Divider {
     return 0.5 * (mesh_.points[key >> 32] + mesh_.points[key & 0xffffffffu]);
   }
 
-  const Shell& shell_;
+  const PlatedShell& shell_;
   const ShellMesh& mesh_;
   const PlatingOptions& options_;
   Sides sides_;
@@ -200,7 +200,7 @@ std::vector<PlateSide> Divider::sides_of(std::vector<int> loop) const {
 
 }  // namespace
 
-std::vector<Vector3d> side_points(const Shell& shell, const PlateSide& side) {
+std::vector<Vector3d> side_points(const PlatedShell& shell, const PlateSide& side) {
   std::vector<Vector3d> points;
   for (const int p : side.points) {
     points.push_back(shell.mesh.points[p]);
@@ -217,7 +217,7 @@ Plating plating(const surface::LimitSurface& surface, std::vector<SurfaceCurve> 
   if (!(options.largest_knuckle >= 0.0)) {
     throw std::invalid_argument("The largest knuckle within a plate must be an angle, 0 or more.");
   }
-  auto shell = std::make_shared<Shell>(Shell{surface, std::move(curves), {}});
+  auto shell = std::make_shared<PlatedShell>(PlatedShell{surface, std::move(curves), {}});
   shell->mesh = shell_mesh(shell->surface, shell->curves, options.size,
                            surface::part_of(options.progress, 0.0, 0.5));
   PlatingOptions rest = options;

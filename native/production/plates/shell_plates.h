@@ -10,7 +10,7 @@
 namespace hull::production {
 
 // The surface outside of which seams lie between its plates.
-struct Shell {
+struct PlatedShell {
   surface::LimitSurface surface;
   std::vector<SurfaceCurve> curves;
   ShellMesh mesh;
@@ -39,7 +39,7 @@ struct Plate {
 };
 
 // The points of a side, m.
-std::vector<Vector3d> side_points(const Shell& shell, const PlateSide& side);
+std::vector<Vector3d> side_points(const PlatedShell& shell, const PlateSide& side);
 
 struct PlatingOptions {
   double size;             // of triangles, m
@@ -51,7 +51,7 @@ struct PlatingOptions {
 };
 
 struct Plating {
-  std::shared_ptr<const Shell> shell;
+  std::shared_ptr<const PlatedShell> shell;
   std::vector<Plate> plates;  // from aft to forward by their centres
 };
 

@@ -37,9 +37,9 @@ Eigen::Matrix2d nearest_turn(const Eigen::Matrix2d& f) {
   return Eigen::Rotation2Dd(std::atan2(f(1, 0) - f(0, 1), f(0, 0) + f(1, 1))).toRotationMatrix();
 }
 
-class Sheet {
+class StrainedSheet {
  public:
-  Sheet(const SheetMap& map, const std::vector<PlatePoint>& points, double poisson)
+  StrainedSheet(const SheetMap& map, const std::vector<PlatePoint>& points, double poisson)
       : splines_(map.splines), runs_(splines_.runs()), poisson_(poisson) {
     for (const PlatePoint& p : points) {
       const PlateChart::Value in_chart = map.chart.value(p.at);
@@ -105,7 +105,7 @@ class Sheet {
   bool analysed_ = false, held_made_ = false;
 };
 
-std::vector<Vector2d> Sheet::with_turns_held(const std::vector<Vector2d>& c) {
+std::vector<Vector2d> StrainedSheet::with_turns_held(const std::vector<Vector2d>& c) {
   const int n = splines_.count();
   if (!held_made_) {
     std::vector<Eigen::Triplet<double>> entries;
@@ -152,8 +152,8 @@ std::vector<Vector2d> Sheet::with_turns_held(const std::vector<Vector2d>& c) {
 // U = RᵀF changes by G + dRᵀ F, G = RᵀdF: with the turning rate ω of R that keeps U symmetric, (G21
 // - G12) / tr U, by ω U12 more in the first, less in the second stretch, and ω U22 more in the
 // shear. Where a triangle is turned over or next to it R is held.
-Jacobian Sheet::slopes_of_residuals(const StrainPoint& point, const Slopes& turned,
-                                    const Slopes& f) const {
+Jacobian StrainedSheet::slopes_of_residuals(const StrainPoint& point, const Slopes& turned,
+                                            const Slopes& f) const {
   const Slopes u = turned.transpose() * f;
   const double trace = u.trace();
   Jacobian jacobian;
@@ -171,7 +171,7 @@ Jacobian Sheet::slopes_of_residuals(const StrainPoint& point, const Slopes& turn
   return jacobian;
 }
 
-std::vector<Vector2d> Sheet::step(const std::vector<Vector2d>& c, double damping) {
+std::vector<Vector2d> StrainedSheet::step(const std::vector<Vector2d>& c, double damping) {
   const int n = 2 * splines_.count();
   std::vector<Eigen::Triplet<double>> entries;
   Eigen::VectorXd right = Eigen::VectorXd::Zero(n);
@@ -251,7 +251,7 @@ Eigen::Matrix2d SheetMap::slopes(const PlatePoint& point) const {
 
 LeastEnergy make_energy_least(SheetMap& map, const std::vector<PlatePoint>& points, double poisson,
                               bool is_near) {
-  Sheet sheet(map, points, poisson);
+  StrainedSheet sheet(map, points, poisson);
   for (int i = 0; i < (is_near ? 0 : kFirstSteps); ++i)
     map.coefficients = sheet.with_turns_held(map.coefficients);
   LeastEnergy found;

@@ -17,8 +17,8 @@ using surface::on_square_side;
 namespace {
 
 double snapped(double x) {
-  if (std::abs(x) <= kOnSide) return 0.0;
-  return std::abs(x - 1.0) <= kOnSide ? 1.0 : x;
+  if (std::abs(x) <= kOnCellSide) return 0.0;
+  return std::abs(x - 1.0) <= kOnCellSide ? 1.0 : x;
 }
 
 // Number of the side of the square on which (u, v) lies, or -1.
@@ -110,7 +110,7 @@ std::optional<double> crossing(const CurveStep& a, const CurveStep& b) {
   const double turn = cross(along, other);
   if (std::abs(turn) <= 1e-12 * along.norm() * other.norm()) return std::nullopt;
   const double t = cross(apart, other) / turn, s = cross(apart, along) / turn;
-  const double near_t = kOnSide / along.norm(), near_s = kOnSide / other.norm();
+  const double near_t = kOnCellSide / along.norm(), near_s = kOnCellSide / other.norm();
   if (t < -near_t || t > 1.0 + near_t || s < -near_s || s > 1.0 + near_s) return std::nullopt;
   return std::clamp(t, 0.0, 1.0);
 }
@@ -193,7 +193,7 @@ std::vector<SurfaceCurve> pieces_between(const surface::LimitSurface& surface,
     }
     std::sort(cuts.begin(), cuts.end());
     cuts.push_back(2.0);
-    const double shortest = kOnSide / (step.to - step.from).norm();
+    const double shortest = kOnCellSide / (step.to - step.from).norm();
     double last = 0.0;
     const auto at = [&step](double t) { return Vector2d(step.from + t * (step.to - step.from)); };
     for (const double cut : cuts) {

@@ -30,7 +30,7 @@ struct SurfaceCurve {
 };
 
 // Parameters nearer to a cell's side than this are on it.
-inline constexpr double kOnSide = 4e-9;
+inline constexpr double kOnCellSide = 4e-9;
 
 // A place of the surface as all cells that share it have it; sides and corners exactly.
 std::vector<CellPlace> places_of(const mesh::Topology& cells, const CellPlace& place);

@@ -16,11 +16,11 @@ int bin_of(double place, double low, double step, int count) {
 
 // Where the line along an axis through a point meets a triangle; area: twice the triangle's, as it
 // is seen, positive where it faces up, 0 where the line does not meet it.
-struct Crossing {
+struct RayCrossing {
   double area, at;
 };
 
-Crossing crossing_of(const ClosedModel& model, int triangle, const Vector3d& from, int axis) {
+RayCrossing crossing_of(const ClosedModel& model, int triangle, const Vector3d& from, int axis) {
   const int u = (axis + 1) % 3, v = (axis + 2) % 3;
   const auto& [ia, ib, ic] = model.triangles[triangle];
   const Vector3d &a = model.points[ia], &b = model.points[ib], &c = model.points[ic];
@@ -66,7 +66,7 @@ double AxisRays::first_entry(const Vector3d& from, bool up) const {
   double best =
       up ? std::numeric_limits<double>::infinity() : -std::numeric_limits<double>::infinity();
   for (const int t : near(from)) {
-    const Crossing crossing = crossing_of(model_, t, from, axis_);
+    const RayCrossing crossing = crossing_of(model_, t, from, axis_);
     // A ray leaves the model where it is seen from the other side.
     if (up ? !(crossing.area < 0.0) : !(crossing.area > 0.0)) continue;
     const double at = crossing.at;
@@ -78,7 +78,7 @@ double AxisRays::first_entry(const Vector3d& from, bool up) const {
 bool AxisRays::meets_above(const Vector3d& from) const {
   const std::vector<int>& own = near(from);
   return std::any_of(own.begin(), own.end(), [&](int t) {
-    const Crossing crossing = crossing_of(model_, t, from, axis_);
+    const RayCrossing crossing = crossing_of(model_, t, from, axis_);
     return crossing.area != 0.0 && crossing.at > from[axis_];
   });
 }

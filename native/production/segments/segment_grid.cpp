@@ -185,7 +185,7 @@ const SegmentGrid::Cell& SegmentGrid::cell(int i, int j, int k) const {
 }
 
 template <class Function>
-void SegmentGrid::each_cell(const GridBox& box, const Function& function) const {
+void SegmentGrid::each_cell(const SegmentBox& box, const Function& function) const {
   for (int i = box.low[0]; i < box.high[0]; ++i) {
     for (int j = box.low[1]; j < box.high[1]; ++j) {
       for (int k = box.low[2]; k < box.high[2]; ++k) function(cell(i, j, k));
@@ -193,13 +193,13 @@ void SegmentGrid::each_cell(const GridBox& box, const Function& function) const 
   }
 }
 
-double SegmentGrid::volume(const GridBox& box) const {
+double SegmentGrid::volume(const SegmentBox& box) const {
   double sum = 0.0;
   each_cell(box, [&sum](const Cell& cell) { sum += cell.volume; });
   return sum;
 }
 
-SegmentVerdict SegmentGrid::judged(const GridBox& box) const {
+SegmentVerdict SegmentGrid::judged(const SegmentBox& box) const {
   AlignedBox3d extents;
   each_cell(box, [&extents](const Cell& cell) { extents.extend(cell.box); });
   SegmentVerdict best;
@@ -212,7 +212,7 @@ SegmentVerdict SegmentGrid::judged(const GridBox& box) const {
   return best;
 }
 
-SegmentVerdict SegmentGrid::judged_along(const GridBox& box, const AlignedBox3d& extents,
+SegmentVerdict SegmentGrid::judged_along(const SegmentBox& box, const AlignedBox3d& extents,
                                          int direction) const {
   const int axis = direction / 2;
   const bool up = direction % 2 == 0, milled = rules_.making == SegmentMaking::kMilling;

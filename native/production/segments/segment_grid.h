@@ -12,7 +12,7 @@
 namespace hull::production {
 
 // Numbers of a grid's planes: from and to along each axis.
-struct GridBox {
+struct SegmentBox {
   std::array<int, 3> low, high;
 };
 
@@ -33,8 +33,8 @@ class SegmentGrid {
               const surface::Progress& progress);
 
   const std::array<std::vector<double>, 3>& planes() const { return planes_; }
-  SegmentVerdict judged(const GridBox& box) const;
-  double volume(const GridBox& box) const;
+  SegmentVerdict judged(const SegmentBox& box) const;
+  double volume(const SegmentBox& box) const;
 
  private:
   struct Cell {
@@ -57,8 +57,8 @@ class SegmentGrid {
                  const ModelRays& rays) const;
   const Cell& cell(int i, int j, int k) const;
   template <class Function>
-  void each_cell(const GridBox& box, const Function& function) const;
-  SegmentVerdict judged_along(const GridBox& box, const Eigen::AlignedBox3d& extents,
+  void each_cell(const SegmentBox& box, const Function& function) const;
+  SegmentVerdict judged_along(const SegmentBox& box, const Eigen::AlignedBox3d& extents,
                               int direction) const;
 
   SegmentRules rules_;

@@ -23,7 +23,7 @@ SegmentSearch::SegmentSearch(const SegmentGrid& grid, const surface::Progress& p
   }
   found_.resize(static_cast<std::size_t>(numbers));
   double done = 0.0;
-  GridBox box;
+  SegmentBox box;
   for (int x = 1; x <= layers_[0]; ++x) {
     for (int y = 1; y <= layers_[1]; ++y) {
       for (int z = 1; z <= layers_[2]; ++z) {
@@ -42,9 +42,9 @@ SegmentSearch::SegmentSearch(const SegmentGrid& grid, const surface::Progress& p
   }
 }
 
-GridBox SegmentSearch::whole() const { return {{0, 0, 0}, layers_}; }
+SegmentBox SegmentSearch::whole() const { return {{0, 0, 0}, layers_}; }
 
-std::size_t SegmentSearch::number(const GridBox& box) const {
+std::size_t SegmentSearch::number(const SegmentBox& box) const {
   std::size_t result = 0;
   for (int a = 0; a < 3; ++a) {
     const std::size_t planes = layers_[a] + 1;
@@ -61,13 +61,13 @@ bool SegmentSearch::is_better(const Best& a, const Best& b) const {
   return a.roots > b.roots * (1.0 + kRounding);
 }
 
-SegmentSearch::Best SegmentSearch::searched(const GridBox& box) const {
+SegmentSearch::Best SegmentSearch::searched(const SegmentBox& box) const {
   const SegmentVerdict verdict = grid_.judged(box);
   if (verdict.direction < 0) return {};
   Best best{verdict.penalty, std::sqrt(std::max(0.0, grid_.volume(box))), 1, {}};
   if (verdict.penalty == 0.0) return best;
   for (int a = 0; a < 3; ++a) {
-    GridBox below = box, above = box;
+    SegmentBox below = box, above = box;
     for (int plane = box.low[a] + 1; plane < box.high[a]; ++plane) {
       below.high[a] = above.low[a] = plane;
       const Best &p = found_[number(below)], &q = found_[number(above)];

@@ -20,9 +20,9 @@ class SegmentSearch {
     signed char axis = -1;
     short plane = 0;
   };
-  Cut best_cut(const GridBox& box) const { return found_[number(box)].cut; }
-  GridBox whole() const;
-  bool is_empty(const GridBox& box) const { return found_[number(box)].count == 0; }
+  Cut best_cut(const SegmentBox& box) const { return found_[number(box)].cut; }
+  SegmentBox whole() const;
+  bool is_empty(const SegmentBox& box) const { return found_[number(box)].count == 0; }
 
  private:
   struct Best {
@@ -31,8 +31,8 @@ class SegmentSearch {
     Cut cut;
   };
 
-  std::size_t number(const GridBox& box) const;
-  Best searched(const GridBox& box) const;
+  std::size_t number(const SegmentBox& box) const;
+  Best searched(const SegmentBox& box) const;
   bool is_better(const Best& a, const Best& b) const;
 
   const SegmentGrid& grid_;

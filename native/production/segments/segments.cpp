@@ -19,7 +19,7 @@ void check_dowels(const Dowels& dowels) {
   throw std::invalid_argument("Holes for dowels have a positive radius and depth, or no radius.");
 }
 
-void cut_up(const ClosedModel& model, const GridBox& box, const SegmentGrid& grid,
+void cut_up(const ClosedModel& model, const SegmentBox& box, const SegmentGrid& grid,
             const SegmentSearch& search, std::vector<ModelSegment>& segments) {
   if (model.triangles.empty() || search.is_empty(box)) return;
   const SegmentSearch::Cut found = search.best_cut(box);
@@ -33,7 +33,7 @@ void cut_up(const ClosedModel& model, const GridBox& box, const SegmentGrid& gri
     return;
   }
   const CutModel parts = cut(model, found.axis, grid.planes()[found.axis][found.plane]);
-  GridBox below = box, above = box;
+  SegmentBox below = box, above = box;
   below.high[found.axis] = above.low[found.axis] = found.plane;
   cut_up(parts.below, below, grid, search, segments);
   cut_up(parts.above, above, grid, search, segments);

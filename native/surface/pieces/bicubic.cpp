@@ -30,13 +30,13 @@ void scale_derivatives(SurfaceJet& jet, double factor, int order) {
 namespace {
 
 // Four points, x y z after one another, and a number to let four of them be loaded at any.
-struct Column {
+struct PaddedColumn {
   double lane[13];
 };
 
 // Sum over the rows of the grid: what is left is a cubic along u.
-inline Column along_v(const double* p, const Basis& w) {
-  Column sum;
+inline PaddedColumn along_v(const double* p, const Basis& w) {
+  PaddedColumn sum;
   for (int k = 0; k < 12; ++k) {
     sum.lane[k] = w[0] * p[k] + w[1] * p[12 + k] + w[2] * p[24 + k] + w[3] * p[36 + k];
   }
@@ -44,7 +44,7 @@ inline Column along_v(const double* p, const Basis& w) {
   return sum;
 }
 
-inline void along_u(const Column& c, const Basis& w, Vector3d& out) {
+inline void along_u(const PaddedColumn& c, const Basis& w, Vector3d& out) {
   double sum[4];  // a whole vector; the last number has no meaning
   for (int k = 0; k < 4; ++k) {
     sum[k] =
@@ -56,15 +56,15 @@ inline void along_u(const Column& c, const Basis& w, Vector3d& out) {
 template <int kOrder>
 HULL_WIDE void evaluate_order(const double* points, double u, double v, SurfaceJet& jet) {
   const Basis bu = cubic_basis(u);
-  const Column c = along_v(points, cubic_basis(v));
+  const PaddedColumn c = along_v(points, cubic_basis(v));
   along_u(c, bu, jet.point);
   if constexpr (kOrder > 0) {
     const Basis du = cubic_basis_d1(u);
-    const Column c_v = along_v(points, cubic_basis_d1(v));
+    const PaddedColumn c_v = along_v(points, cubic_basis_d1(v));
     along_u(c, du, jet.du);
     along_u(c_v, bu, jet.dv);
     if constexpr (kOrder > 1) {
-      const Column c_vv = along_v(points, cubic_basis_d2(v));
+      const PaddedColumn c_vv = along_v(points, cubic_basis_d2(v));
       along_u(c, cubic_basis_d2(u), jet.duu);
       along_u(c_v, du, jet.duv);
       along_u(c_vv, bu, jet.dvv);

@@ -220,11 +220,11 @@ bool PatchCrossings::try_stretch(const BezierPatch& patch, const Part& part) {
     if (std::abs(cosine * patch.x[1][i] - sine * patch.x[0][i]) > tolerance_) return false;
   }
   AxisStretch stretch{{kInfinity, 0.0, 0.0, tolerance_}, {-kInfinity, 0.0, 0.0, tolerance_}};
-  constexpr int kFirst[] = {0, 3, 12, 0}, kStep[] = {1, 4, 1, 4};
+  constexpr int kFirstPoint[] = {0, 3, 12, 0}, kStep[] = {1, 4, 1, 4};
   for (int k = 0; k < 4; ++k) {
     Side side;
     for (int i = 0; i < 4; ++i) {
-      const int at = kFirst[k] + i * kStep[k];
+      const int at = kFirstPoint[k] + i * kStep[k];
       side.h[i] = cosine * patch.x[0][at] + sine * patch.x[1][at];
       side.z[i] = patch.x[2][at];
     }

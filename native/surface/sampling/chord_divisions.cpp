@@ -14,7 +14,7 @@ namespace hull::surface {
 namespace {
 
 // A block of quadrilaterals of a cell: [i0, i1] x [j0, j1] of its grid.
-struct Block {
+struct QuadBlock {
   int i0, i1, j0, j1;
   int columns() const { return i1 - i0; }
   int rows() const { return j1 - j0; }
@@ -53,7 +53,7 @@ class CellCheck {
     for_each_piece(
         surface_, cell_, [&](const CornerSquare& square) { return !worst && square.size > finest; },
         [&](const SurfacePiece& piece) {
-          const Block block = block_within(piece);
+          const QuadBlock block = block_within(piece);
           if (worst || block.columns() < 1 || block.rows() < 1) return;
           for (int j = block.j0; j < block.j1; ++j) {
             std::fill_n(done_.begin() + j * nu_ + block.i0, block.columns(), 1);
@@ -68,18 +68,18 @@ class CellCheck {
     return worst;
   }
 
-  Block block_within(const SurfacePiece& piece) const {
+  QuadBlock block_within(const SurfacePiece& piece) const {
     const auto first = [](double at, int n) { return static_cast<int>(std::ceil(at * n)); };
     const auto last = [](double at, int n) { return static_cast<int>(std::floor(at * n)); };
     return {first(piece.u, nu_), last(piece.u + piece.size, nu_), first(piece.v, nv_),
             last(piece.v + piece.size, nv_)};
   }
 
-  std::optional<Excess> check_piece(const Block& block, const SurfacePiece& piece) {
+  std::optional<Excess> check_piece(const QuadBlock& block, const SurfacePiece& piece) {
     return check_block(block, piece, block_bound(block, piece));
   }
 
-  double block_bound(const Block& block, const SurfacePiece& piece) const {
+  double block_bound(const QuadBlock& block, const SurfacePiece& piece) const {
     const auto u = [&](int i) { return (static_cast<double>(i) / nu_ - piece.u) / piece.size; };
     const auto v = [&](int j) { return (static_cast<double>(j) / nv_ - piece.v) / piece.size; };
     return smooth_bound(
@@ -88,10 +88,11 @@ class CellCheck {
   }
 
   // Halves what fails as a whole, the worse half first.
-  std::optional<Excess> check_block(const Block& block, const SurfacePiece& piece, double bound) {
+  std::optional<Excess> check_block(const QuadBlock& block, const SurfacePiece& piece,
+                                    double bound) {
     if (bound <= tolerance_) return std::nullopt;
     if (block.columns() == 1 && block.rows() == 1) return check_quad(block.i0, block.j0);
-    Block halves[] = {block, block};
+    QuadBlock halves[] = {block, block};
     if (block.columns() >= block.rows()) {
       halves[0].i1 = halves[1].i0 = (block.i0 + block.i1) / 2;
     } else {

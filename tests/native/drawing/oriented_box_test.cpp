@@ -65,15 +65,15 @@ TEST(OrientedBox, OverlapOfSegments) {
 
 TEST(ShipCurve, PartsOnOneSide) {
   const std::vector<Eigen::Vector3d> zigzag = {{0, -1, 0}, {1, 1, 0}, {2, -1, 0}, {3, 0, 0}};
-  const auto above = part_of_curve(zigzag, 1, 0.0, Side::kAbove);
+  const auto above = part_of_curve(zigzag, 1, 0.0, LimitSide::kAbove);
   ASSERT_EQ(above.size(), 1u);  // the last touch is a single point
   ASSERT_EQ(above[0].size(), 3u);
   EXPECT_EQ(above[0].front(), Eigen::Vector3d(0.5, 0, 0));
   EXPECT_EQ(above[0].back(), Eigen::Vector3d(1.5, 0, 0));
-  EXPECT_EQ(part_of_curve(zigzag, 1, 0.0, Side::kBelow).size(), 2u);
+  EXPECT_EQ(part_of_curve(zigzag, 1, 0.0, LimitSide::kBelow).size(), 2u);
   const std::vector<Eigen::Vector3d> within = {{0, 0, 0}, {1, 0, 0}};
-  EXPECT_EQ(part_of_curve(within, 1, 0.0, Side::kAbove).size(), 1u);
-  EXPECT_EQ(part_of_curve(within, 1, 0.0, Side::kBelow).size(), 1u);
+  EXPECT_EQ(part_of_curve(within, 1, 0.0, LimitSide::kAbove).size(), 1u);
+  EXPECT_EQ(part_of_curve(within, 1, 0.0, LimitSide::kBelow).size(), 1u);
 }
 
 TEST(TextMeter, FitsTextsIntoTheirPlace) {

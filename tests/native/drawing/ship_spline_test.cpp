@@ -78,7 +78,7 @@ TEST(ShipSpline, PartsOfCurvesKeepTheirSplines) {
       const double t = spline.begin() + (spline.end() - spline.begin()) * i / 2000.0;
       curve.points.push_back(spline.evaluate(std::min(t, spline.end()), 0).point);
     }
-    for (const Side side : {Side::kAbove, Side::kBelow}) {
+    for (const LimitSide side : {LimitSide::kAbove, LimitSide::kBelow}) {
       for (const ShipCurve& part : part_of_curve(curve, 1, 0.0, side)) {
         ASSERT_TRUE(part.spline);
         const surface::CubicSpline& own = *part.spline;

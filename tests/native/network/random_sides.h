@@ -6,12 +6,12 @@
 #include <random>
 #include <vector>
 
-#include "network/patches/patch_side.h"
+#include "network/patches/ribboned_side.h"
 #include "random_values.h"
 
 namespace hull::testing {
 
-using network::PatchSide;
+using network::RibbonedSide;
 using network::SideJet;
 
 // A polynomial of degree 3 in Bézier points, with its derivative.
@@ -31,14 +31,15 @@ struct CubicWay {
   }
 };
 
-inline PatchSide side_of(const CubicWay& way, const CubicWay& ribbon) {
+inline RibbonedSide side_of(const CubicWay& way, const CubicWay& ribbon) {
   return [way, ribbon](double u) {
     return SideJet{way.at(u), way.slope(u), ribbon.at(u), ribbon.slope(u), way.bend(u)};
   };
 }
 
 // Around a bent polygon, with ribbons that meet the neighbours, and twists that do not agree.
-inline std::vector<PatchSide> random_sides(std::mt19937& random, int count, double height = 0.3) {
+inline std::vector<RibbonedSide> random_sides(std::mt19937& random, int count,
+                                              double height = 0.3) {
   const auto n = static_cast<std::size_t>(count);
   const auto shaken = [&](double by) {
     Vector3d v = by * random_vector(random);
@@ -58,7 +59,7 @@ inline std::vector<PatchSide> random_sides(std::mt19937& random, int count, doub
     ways.push_back(
         {a, a + (d - a) / 3.0 + out + shaken(0.15), d - (d - a) / 3.0 + out + shaken(0.15), d});
   }
-  std::vector<PatchSide> sides;
+  std::vector<RibbonedSide> sides;
   for (std::size_t i = 0; i < n; ++i) {
     const Vector3d start = -ways[(i + n - 1) % n].slope(1.0);
     const Vector3d end = ways[(i + 1) % n].slope(0.0);

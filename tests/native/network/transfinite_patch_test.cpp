@@ -69,7 +69,7 @@ TEST(TransfinitePatch, OfTwoSidesHasAHalvedOne) {
     // The side that is whole, and the halves of the other: each point of both sides is met.
     const bool is_second = (patch.at(on_side(patch, 0, 0.3)).point - sides[1](0.3).point).norm() <
                            (patch.at(on_side(patch, 0, 0.3)).point - sides[0](0.3).point).norm();
-    const PatchSide &whole = sides[is_second ? 1 : 0], &halved = sides[is_second ? 0 : 1];
+    const RibbonedSide &whole = sides[is_second ? 1 : 0], &halved = sides[is_second ? 0 : 1];
     for (int i = 0; i <= 20; ++i) {
       const double u = i / 20.0;
       EXPECT_LT((patch.at(on_side(patch, 0, u)).point - whole(u).point).norm(), 1e-12);
@@ -107,7 +107,7 @@ struct Bicubic {
   }
 };
 
-std::vector<PatchSide> sides_of(const Bicubic& s) {
+std::vector<RibbonedSide> sides_of(const Bicubic& s) {
   const auto along_first = [s](double v, double sense) {
     return [s, v, sense](double t) {
       const double u = sense > 0.0 ? t : 1.0 - t;
@@ -177,8 +177,8 @@ TEST(TransfinitePatch, GoesWithAffineMapsOfItsSides) {
     Eigen::Matrix3d map;
     for (int i = 0; i < 3; ++i) map.col(i) = random_vector(random);
     const Vector3d shift = 5.0 * random_vector(random);
-    std::vector<PatchSide> moved;
-    for (const PatchSide& side : sides) {
+    std::vector<RibbonedSide> moved;
+    for (const RibbonedSide& side : sides) {
       moved.emplace_back([side, map, shift](double u) {
         const SideJet jet = side(u);
         return SideJet{map * jet.point + shift, map * jet.slope, map * jet.ribbon,

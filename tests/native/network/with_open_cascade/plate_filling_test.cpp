@@ -99,7 +99,7 @@ Handle(Geom_BSplineSurface) plate(const std::vector<PlaneSide>& sides) {
 TEST(PlateFilling, IsNearThePatchOfThreeToTenSides) {
   for (int count = 3; count <= 10; ++count) {
     const auto sides = polygon_sides(count);
-    std::vector<PatchSide> patch_sides;
+    std::vector<RibbonedSide> patch_sides;
     for (const PlaneSide& side : sides) {
       patch_sides.emplace_back([side](double u) { return side.jet(u); });
     }
