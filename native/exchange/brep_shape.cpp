@@ -62,6 +62,7 @@ class ShapeMaker {
         faces_of_(edges_.size(), 0) {
     for (int v = 0; v < set.vertex_count; ++v) vertex_groups_.join(v, uses_.vertex(v));
     for (const conversion::CapEdge& edge : closing.edges) {
+      // It is left out of the wires, whose other edges then have to meet in one vertex.
       if (is_collapsed(edge)) vertex_groups_.join(edge.from, edge.to);
     }
   }
@@ -241,6 +242,7 @@ class ShapeMaker {
     const conversion::BSplineCurve curve = number < set_.edge_count
                                                ? uses_.curve(uses_.of(number)[0])
                                                : closing_.edges[number - set_.edge_count].curve;
+    // The curve is within the hull of its control points.
     double largest = 0.0;
     for (const Vector3d& point : curve.points) {
       largest = std::max(largest, std::abs(cap.normal.dot(point - cap.origin)));
@@ -310,6 +312,7 @@ class ShapeMaker {
 
   TopoDS_Shape finished(TopoDS_Shell& shell) {
     shell.Closed(BRep_Tool::IsClosed(shell));
+    // Turned inwards it would be the solid of all space outside.
     if (!shell.Closed() || integrals_of(shell).volume <= 0.0) return shell;
     TopoDS_Solid solid;
     builder_.MakeSolid(solid);

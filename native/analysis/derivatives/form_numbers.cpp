@@ -65,6 +65,7 @@ double FormNumbers::immersed_draft() {
     if (!search_) search_.emplace(body.surface(), body.boxes(), water_);
     Extent extent;
     extent.low = search_->farthest(-water_.normal, Part::kImmersed);
+    // How far the lowest point lies along -normal is less its height over the origin.
     if (extent.low.found) extent.value = extent.low.value + water_.offset;
     known = extent;
   }
@@ -161,6 +162,7 @@ double FormNumbers::value(FormNumber number) {
     case N::kKmLongitudinal: {
       if (!afloat || !has_plane) return 0.0;
       const N bm = number == N::kKmTransverse ? N::kBmTransverse : N::kBmLongitudinal;
+      // The radius is square to the water, KM is told along the ship's own z.
       return value(N::kKb) + value(bm) * water_.normal.z();
     }
     case N::kWaterlineLength:
@@ -184,7 +186,7 @@ double FormNumbers::value(FormNumber number) {
   double result = product.factor;
   for (const auto& [term, power] : product.terms) {
     const double of_term = value(term);
-    if (power < 0 && !(of_term > 0.0)) return 0.0;
+    if (power < 0 && !(of_term > 0.0)) return 0.0;  // what is undefined is 0
     result *= power < 0 ? 1.0 / of_term : of_term;
   }
   return result;

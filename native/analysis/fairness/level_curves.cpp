@@ -103,6 +103,7 @@ class Tracer {
 
   void march(int cell) {
     const auto& range = samples_.ranges[cell];
+    // In a wider range the shortest way to the level may be the wrong one: all squares are tried.
     if (range.high - range.low < 0.5 * period_) {
       const double level = step_between(range.at, level_, period_);
       if (level < range.low - kOnLevel || level > range.high + kOnLevel) return;
@@ -132,6 +133,7 @@ class Tracer {
     if (above == 0 || above == 15) return;
     const auto is_above = [&](int k) { return (above >> (k % 4) & 1) != 0; };
     const auto [low, high] = std::minmax_element(heights.begin(), heights.end());
+    // The change of sign is where values wrap, half a period from the level.
     if (*high - *low >= 0.5 * period_) return;
     // With what is above on the left, curves leave through edges that go up and enter through
     // those that go down, run through counter-clockwise.
@@ -173,6 +175,7 @@ class Tracer {
       };
       t = bracketed_root(f, 0.0, fa, 1.0, fb, kRootOfEdge);
     } else {
+      // Of two signs only by kOnLevel: the level passes through a corner.
       t = std::abs(fa) <= std::abs(fb) ? 0.0 : 1.0;
     }
     const Eigen::Vector2d uv = from + t * (to - from);
@@ -204,6 +207,7 @@ class Tracer {
       }
       curve.closed = end == start;
     };
+    // Open curves from their begin; whatever they leave is closed and may begin anywhere.
     for (const Crossing& crossing : crossings_) {
       if (crossing.before < 0 && crossing.after >= 0) follow(crossing.after);
     }

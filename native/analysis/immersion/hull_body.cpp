@@ -92,6 +92,7 @@ void HullBody::update() {
 
 void HullBody::take(const std::vector<Appendage>& appendages) {
   std::shared_ptr<const JoinedShells> joined = joined_shells(*this, appendages);
+  // Kept last: both may throw, and are kept together or not at all.
   profile_ = analysis::joined_profile(*this, appendages);
   joined_ = std::move(joined);
 }
@@ -168,6 +169,7 @@ ShellMoments HullBody::wet_corner(int corner, Planes planes) const {
     }
     double farthest = 0.0;
     for (const Vector3d& p : points) farthest = std::max(farthest, (p - points[0]).squaredNorm());
+    // The water goes through the corner itself: rings shrink towards it without end.
     if (farthest < smallest * smallest) return sum;
     for (int s = 0; s < basis.segment_count(); ++s) {
       sum += wedge_moments(ring.segment_points(s), rules.centre, planes, rules.cut);
@@ -286,6 +288,7 @@ Immersion HullBody::immersion(const Plane& water) const {
   Wet wet = wet_part({&water, 1});
   if (mirrored_) {
     const Plane image = mirror_image(water);
+    // What the water covers of the other side is the image of what its own image covers of this.
     const Wet other = water.normal.y() == 0.0 ? wet : wet_part({&image, 1});
     wet.shell += analysis::mirrored(other.shell);
     wet.caps += analysis::mirrored(other.caps);

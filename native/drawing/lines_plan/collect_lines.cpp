@@ -145,6 +145,7 @@ class Cutter {
     const int coordinate = static_cast<int>(axis);
     std::vector<ShipCurve> curves;
     for (ShipCurve& branch : cut(analysis::line_plane(surface_, axis, position))) {
+      // Plane to the last digit, lines look straight in the other views, and meet the grid.
       for (Vector3d& point : branch.points) point[coordinate] = position;
       if (branch.spline) {
         std::vector<Vector3d> points = branch.spline->points();
@@ -246,6 +247,7 @@ ShipCurve ship_curve(const surface::CreaseCurve& crease) {
 }
 
 void add_features(const surface::LimitSurface& surface, bool mirrored, LinesDrawing& drawing) {
+  // Keel and stem of a half hull that stand a little beyond the centre plane are its profile still.
   const double slack = (mirrored ? kAtCentreLine : kSamePosition) * surface.mesh().size();
   for (const surface::CreaseCurve& crease : surface::crease_curves(surface)) {
     const bool border = crease.kind() == surface::CreaseKind::kBorder;
@@ -274,7 +276,7 @@ analysis::OffsetTable offsets_of(const surface::LimitSurface& surface, const Lin
     return all;
   };
   std::vector<double> buttocks = positions(drawing.buttocks);
-  buttocks.insert(buttocks.begin(), 0.0);
+  buttocks.insert(buttocks.begin(), 0.0);  // for the heights of the profile
   return analysis::offset_table(surface, positions(drawing.stations), positions(drawing.waterlines),
                                 buttocks, mirrored);
 }
@@ -328,6 +330,7 @@ LinesDrawing collect_lines(const surface::LimitSurface& surface, const LinesOpti
   if (options.draft) mark_design_waterline(cutter, drawing.waterlines, *options.draft);
   drawing.buttocks = cutter.cut_all(analysis::Axis::kY, buttocks);
   drawing.diagonals = cut_diagonals(cutter, options.diagonals);
+  // A whole hull has no border in the centre plane that would be its profile.
   if (!options.mirrored) {
     for (ShipCurve& curve : cutter.cut(analysis::Axis::kY, 0.0)) {
       drawing.outlines.push_back(std::move(curve));
@@ -343,6 +346,7 @@ void write_lines_drawing(const surface::LimitSurface& surface, const LinesOption
                          const std::string& path) {
   check_lines_path(path);
   LinesOptions chosen = options;
+  // Who reads the file may enlarge it: what serves a sheet of paper would show.
   if (is_dxf_path(path)) {
     chosen.splines = true;
     chosen.tolerance = options.tolerance.value_or(kDxfTolerance * surface.mesh().size());

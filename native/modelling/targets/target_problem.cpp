@@ -68,6 +68,7 @@ void TargetProblem::place(const HullChange& change) {
   surface_.set_points(std::move(points));
   body_.update();
   scale_ = change.scale;
+  // Water and dimensions go along: scaling alone leaves coefficients as they are.
   analysis::FloatingPosition position = water_.position;
   position.draft *= scale_.z();
   position.draft_at *= scale_.x();
@@ -80,6 +81,7 @@ void TargetProblem::place(const HullChange& change) {
 }
 
 int TargetProblem::first_fold() const {
+  // The family compares with the start, which is not scaled.
   std::vector<Vector3d> points = surface_.mesh().points();
   for (Vector3d& p : points) p = p.cwiseQuotient(scale_);
   return family_.places().first_fold(points);
@@ -96,6 +98,7 @@ Eigen::VectorXd TargetProblem::values() {
 double TargetProblem::wave_resistance(std::size_t row) {
   const resistance::MichellIntegral integral(body_, position_, water_.density);
   const double speed = *targets_[row].wave_speed;
+  // Found anew for each form it would jump between steps, and the resistance with it.
   if (shortest_[row] == 0.0) shortest_[row] = integral.resistance({speed})[0].shortest;
   return integral.resistance_to(speed, shortest_[row]).resistance;
 }
@@ -129,7 +132,7 @@ Eigen::VectorXd TargetProblem::gradient(Eigen::Index row) {
   if (target.coordinate) {
     const auto& [cell, uv, direction] = *target.coordinate;
     by_points = derivatives_.adjoint().at(cell, uv, direction);
-    scale.setOnes();
+    scale.setOnes();  // it is wanted of the hull before scaling
   } else if (target.wave_speed) {
     by_points = resistance::MichellIntegral(body_, position_, water_.density)
                     .gradient_to(derivatives_, *target.wave_speed, shortest_[row]);

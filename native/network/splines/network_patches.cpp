@@ -12,6 +12,7 @@ namespace hull::network {
 namespace {
 
 constexpr int kMostSpansAsked = 64;
+// What fitting adds to curves that meet within the network's tolerance is to be little against it.
 constexpr double kOfNetworksTolerance = 0.1;
 
 void append(std::vector<double>& key, const Vector3d& value) {
@@ -80,6 +81,7 @@ class PatchMaker {
   void add(const MergedRegion& region) {
     std::vector<double> key = key_of(input_, region);
     if (const RegionQuads* old = find(key)) {
+      // Into a map of its own: what regions once were is not handed on without end.
       keep(region, known_->emplace(std::move(key), *old).first->second);
       return;
     }
@@ -88,6 +90,7 @@ class PatchMaker {
       RegionQuads quads = region_quads(input_, region);
       keep(region, known_->emplace(std::move(key), std::move(quads)).first->second);
     } catch (const std::invalid_argument& fault) {
+      // The region stays open, is told of, and all others have their surfaces.
       made_.problems.push_back(open_region(network_.frame(), region.sides, fault.what()));
     }
   }
@@ -104,6 +107,7 @@ class PatchMaker {
     if (!quads.has_short_sides) sides = with_short_sides_joined(frame, std::move(sides));
     placed_.push_back({&quads, quad_borders(frame, sides, quads.is_single())});
     made_.spoke_error = std::max(made_.spoke_error, quads.spoke_error);
+    // No border follows a reference: what counts is how far the patches are from it.
     for (std::size_t i = 0; i < region.references.size(); ++i) {
       edge_errors_[static_cast<std::size_t>(region.references[i])] = quads.reference_errors[i];
     }

@@ -55,6 +55,7 @@ int Shells::bare_half_edge(int vertex, int loop) {
 int Shells::new_edge(int curve) { return edges_.add({.curve = curve}); }
 
 int Shells::insert_before(int half, int vertex, int edge) {
+  // The half-edge that stands for a vertex without edges becomes that of its first edge.
   int added = half;
   if (!is_bare(half)) {
     added = half_edges_.add({.vertex = vertex, .loop = half_edges_[half].loop});
@@ -184,6 +185,7 @@ Shells::NewEdge Shells::make_edge_kill_loop(int first, int second, int curve) {
   const int face = loops_[kept].face;
   require_shells(kept != killed && loops_[killed].face == face,
                  half_edges_named(first, second) + " are not of two loops of one face.");
+  // Whichever was named first, it is the inner loop that goes: a face needs its outer one.
   if (faces_[face].outer == killed) std::swap(kept, killed);
   const int from = half_edges_[first].vertex, to = half_edges_[second].vertex;
   const int before_first = half_edges_[first].previous,
@@ -262,6 +264,7 @@ void Shells::kill_face_make_loop_hole(int face, int other) {
   loops_[loop].face = face;
   faces_[face].inner.push_back(loop);
   faces_.remove(other);
+  // Within one shell the joint is a handle; else it makes one shell of two.
   if (shell == other_shell) {
     ++shells_[shell].holes;
     return;
@@ -319,6 +322,7 @@ std::vector<int> Shells::connected_faces(int face) const {
   return found;
 }
 
+// By V + F - E - L = 2 (1 - genus), as it holds for one shell.
 int Shells::genus_of(const std::vector<int>& faces) const {
   int sum = 0;
   std::vector<int> vertices;

@@ -15,8 +15,12 @@
 namespace hull::surface {
 namespace {
 
-constexpr double kGap = 1e-14;  // of the size
+// Of the size: what is nearer by less than the rounding of positions is not looked for.
+constexpr double kGap = 1e-14;
+// Parts that are looked at before the gap is doubled, and from then on between doublings.
 constexpr int kFreeParts = 2000, kPartsPerDoubling = 500;
+// Sine of the angle to the tangent plane: a point beyond a border, beside the surface, is on
+// neither side.
 constexpr double kNoSide = 1e-9;
 constexpr int kMostSteps = 30;
 
@@ -112,6 +116,7 @@ Minimum minimise(const BezierPatch& patch, const Vector3d& p, double u, double v
     double huu = e + r.dot(s.duu), huv = f + r.dot(s.duv), hvv = g + r.dot(s.dvv);
     double du = 0.0, dv = 0.0;
     if (hold_u || hold_v) {
+      // Where the square hardly rises, or falls, Newton's step would lead far away, or uphill.
       if (!hold_u) du = -gu / (huu > 1e-3 * e ? huu : e);
       if (!hold_v) dv = -gv / (hvv > 1e-3 * g ? hvv : g);
     } else {
