@@ -95,6 +95,22 @@ def test_each_change_is_followed_once(monkeypatch):
     assert not hull.hull.fields.is_previewed
 
 
+def test_a_hull_that_is_refused_for_now_follows_its_fields_all_the_same():
+    hull, field, _ = previewed()
+    hull.rotation_euler.z = 0.3
+    changed()
+    assert state_of(hull).refusal
+    turned = points_of(hull)
+    field.falloff = 0.4
+    changed()
+    assert not np.array_equal(points_of(hull), turned) and state_of(hull).refusal
+    assert not preview_oracle.differences(hull, bpy.context.scene)
+    hull.rotation_euler.z = 0.0
+    changed()
+    assert not state_of(hull).status
+    assert not preview_oracle.differences(hull, bpy.context.scene)
+
+
 def test_a_point_that_was_put_back_is_not_moved_by_something_else():
     """What holds points is put into effect before it is asked whether they are as shown."""
     hull, field, _ = previewed()

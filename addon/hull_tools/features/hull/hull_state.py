@@ -99,7 +99,12 @@ def follow_edit(obj, scene, is_by_hand=True, may_wait=False, placed=None):
             return found
         return placed(obj, scene, found, lambda: state.keeping.keep(obj, state.ship, False))
 
-    return _brought_up_to_date(obj, scene, read, may_wait)
+    state = _brought_up_to_date(obj, scene, read, may_wait)
+    if (
+        state.refusal and placed is not None
+    ):  # nothing is read of it, and its points go all the same
+        placed(obj, scene, hull_mesh.read(obj), lambda: hull_mesh.read(obj))
+    return state
 
 
 def refresh(obj, scene):
