@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <benchmark/benchmark.h>
 
+#include "analysis/immersion/sea_water.h"
 #include "benchmarks/half_hull.h"
 #include "benchmarks/ratio_report.h"
 #include "modelling/transformation/section_shift.h"
@@ -21,7 +22,8 @@ void BM_Transformation(benchmark::State& state, int refine, int halved_every) {
   targets.volume = {hull::modelling::VolumeMeasure::kVolume, 1.01 * before.volume};
   targets.lcb = before.centre_of_buoyancy.x() + 0.5;
   for (auto _ : state) {
-    hull::modelling::SectionShift shift(body, position, project, 1.025, {}, {});
+    hull::modelling::SectionShift shift(body, position, project, hull::analysis::kSeaWaterDensity,
+                                        {}, {});
     benchmark::DoNotOptimize(shift.solve(targets));
   }
   state.counters["points"] = static_cast<double>(surface.mesh().points().size());

@@ -23,12 +23,12 @@ from .freeship_units import FOOT, POUND_PER_CUBIC_FOOT, plating_units
 from .hull_data import edge_key, face_edges, shell_face_indices
 from .limits import FURTHEST_POINT, MAX_COUNT
 from .real_points import real_points
+from .ship_data import SEA_WATER_DENSITY
 from .subdivision import subdivided
 
 VERSION = 201
 # FREE!ship shows the mesh subdivided once more often than this number.
 PRECISION = 3
-_SEA_WATER = 1.025
 # What FREE!ship sets for a new model: a grey background, its appendage coefficient, the middle.
 _BACKGROUND, _APPENDAGES, _SPLIT = 0xC0C0C0, 1.0, 0.5
 
@@ -104,7 +104,7 @@ def _project(sink, data, scale, lowest):
     given = data.particulars
     draft = given.draft / scale - lowest if given.draft else 0.0
     is_set = min(given.length_pp, given.beam, draft) > 0.0
-    density = given.water_density or _SEA_WATER
+    density = given.water_density or SEA_WATER_DENSITY
     sink.text(data.name)
     sink.text("")  # designer
     sink.record("fff?", given.length_pp / scale, given.beam / scale, max(draft, 0.0), is_set)

@@ -9,6 +9,10 @@ from .hull_ties import renumbered
 # Points nearer to the centre plane than this part of the hull's size, the diagonal of its box, are
 # shared by both sides: hull_native.tolerances.ON_CENTRE_PLANE.
 ON_CENTRE_PLANE = 1e-6
+# What is this near to it, but not on it, was meant to be: hull_native.tolerances.NEAR_CENTRE_PLANE.
+NEAR_CENTRE_PLANE = 1e-4
+# Keel, stem and stern so near are the centre line: hull_native.tolerances.AT_CENTRE_LINE.
+AT_CENTRE_LINE = 1e-3
 
 
 def put_on_centre_plane(data):

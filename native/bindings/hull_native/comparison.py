@@ -11,7 +11,7 @@ from typing import Optional
 
 import numpy as np
 
-from ._core import Hydrostatics, hydrostatics, section_areas
+from ._core import SEA_WATER_DENSITY, Hydrostatics, hydrostatics, section_areas, tolerances
 
 # What is measured along the ship from x = 0: as a part of Lpp.
 _ALONG = (
@@ -37,8 +37,6 @@ _LEFT_OUT = {
     "wetted_surface_error",
 }
 
-# Of the ship's length: stations at the ends stand so far inside, where a transom has its area.
-_END_SHARE = 1e-6
 _STATIONS = 161
 _CLOSER = 33  # stations between the neighbours of the one with the largest difference
 
@@ -55,7 +53,7 @@ class ComparedHull:
     draft_at: Optional[float] = None
     length_pp: Optional[float] = None
     beam: Optional[float] = None
-    water_density: float = 1.025
+    water_density: float = SEA_WATER_DENSITY
 
     def position(self):
         at = self.draft_at
@@ -179,7 +177,8 @@ def compare_areas(hull, other, *, stations=None):
     """The AreaDifference of two ComparedHull; stations as compare_hulls."""
     points = [one.body.surface.mesh.points[:, 0] for one in (hull, other)]
     low, high = min(x.min() for x in points), max(x.max() for x in points)
-    margin = _END_SHARE * (high - low)
+    # So far inside the ends a transom still has its area.
+    margin = tolerances.SAME_POSITION * (high - low)
     wanted = np.linspace(low, high, 21) if stations is None else np.asarray(stations, dtype=float)
     fine = np.linspace(low + margin, high - margin, _STATIONS)
     places, differences = _largest(hull, other, fine)

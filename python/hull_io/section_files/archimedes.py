@@ -8,6 +8,7 @@ files that FREE!ship exports have it.
 
 from xml.sax.saxutils import escape
 
+from ..ship_data import SEA_WATER_DENSITY
 from .numbers_as_text import decimal
 
 
@@ -18,7 +19,7 @@ def archimedes_text(stations):
         '<?xml version="1.0" encoding="UTF-8" ?>',
         "<HULL>",
         *_named("HULL_NAME", stations.name or "Hull"),
-        _value("DENSITY", decimal(stations.water_density or 1.025, 4)),
+        _value("DENSITY", decimal(stations.water_density or SEA_WATER_DENSITY, 4)),
         _value("AP", "0.0"),
         _value("FP", decimal(stations.length_pp)),
         *(_value(f"{where}_DRAUGHT_MARK", draft) for where in ("FWD", "MID", "AFT")),

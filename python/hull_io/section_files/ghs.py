@@ -17,6 +17,7 @@ GHS and the files that FREE!ship exports have it.
 import numpy as np
 
 from ..errors import HullFileError
+from ..ship_data import SEA_WATER_DENSITY
 from .numbers_as_text import decimal, plain_name
 
 FOOT = 0.3048
@@ -48,7 +49,7 @@ def ghs_text(stations, unit="m"):
     for line in lines:
         rows += _section(line, scale)
     rows += ["0,0,0", "**", "HULL.C", "0", "1.0", "0,0,0", "HULL"]
-    density = stations.water_density or 1.025
+    density = stations.water_density or SEA_WATER_DENSITY
     rows += ["***", "HULL", "WATER", "1", decimal(density, 4), "0,0,0", "1", "HULL.C", "****"]
     return "\r\n".join(rows) + "\r\n"
 

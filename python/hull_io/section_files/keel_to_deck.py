@@ -6,9 +6,9 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from ..errors import HullFileError
+from ..mirror import NEAR_CENTRE_PLANE
+from ..ship_data import SEA_WATER_DENSITY
 
-# Of the hull's size: an end of a branch nearer to the centre plane is in it.
-_ON_CENTRE = 1e-4
 # Of the hull's size: ends of branches that are nearer meet.
 _MEETS = 1e-6
 
@@ -44,7 +44,7 @@ class Stations:
     length_pp: float = 0.0
     beam: float = 0.0
     draft: float = 0.0
-    water_density: float = 1.025
+    water_density: float = SEA_WATER_DENSITY
 
 
 def station_lines(positions, sections, size):
@@ -60,7 +60,7 @@ def station_lines(positions, sections, size):
     for x, branches in zip(positions, sections):
         parts = [part for branch in branches for part in _port_parts(branch, size)]
         if parts:
-            found.append(_joined(float(x), _chains(parts, _MEETS * size), _ON_CENTRE * size))
+            found.append(_joined(float(x), _chains(parts, _MEETS * size), NEAR_CENTRE_PLANE * size))
     if not found:
         raise HullFileError("No station cuts the hull: give Lpp and the number of stations.")
     return found

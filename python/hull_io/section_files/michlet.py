@@ -12,6 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..errors import HullFileError
+from ..ship_data import SEA_WATER_DENSITY
 from .numbers_as_text import decimal, plain_name
 
 GRAVITY = 9.80665
@@ -35,7 +36,7 @@ def michlet_text(
     draft,
     volume,
     speeds,
-    water_density=1.025,
+    water_density=SEA_WATER_DENSITY,
     viscosity=1.18831e-6,
 ):
     """The text. half_breadths: (s, w) in m, stations from aft forward, waterlines from the keel up,

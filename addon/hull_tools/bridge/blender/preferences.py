@@ -7,6 +7,7 @@ then on: a file looks the same on every machine.
 
 import bpy
 
+from ....hull_io.ship_data import SEA_WATER_DENSITY
 from . import palette
 
 # The add-on's name in Blender: a legacy one or an extension.
@@ -19,7 +20,7 @@ DEFAULTS = {
     "station_count": 20,
     "waterline_count": 10,
     "buttock_count": 5,
-    "water_density": 1.025,
+    "water_density": SEA_WATER_DENSITY,
     "mark_size": 5.0,
     "tag_width": 3.0,
     "plot_size": 1.0,
