@@ -119,6 +119,7 @@ _LATER = {
     "cylinder_along": ".developable_shells",
     "shop_ending": ".shop_files",
     "write_shop_drawings": ".shop_files",
+    "FolderBeside": ".folder_beside",
     "SectionCurvature": ".curvature_plots",
     "curvature_plot": ".curvature_plots",
     "section_curvature": ".curvature_plots",

@@ -2,9 +2,6 @@
 """Series of members written: tables of their numbers, and a file of each. What is cancelled, or
 goes wrong, leaves all files as they were."""
 
-import os
-import shutil
-import tempfile
 from dataclasses import replace
 from pathlib import Path
 from types import SimpleNamespace
@@ -13,7 +10,6 @@ import bpy
 import numpy as np
 
 from ....hull_io import write_hull_file
-from ....hull_io.bytes_on_disk import target_of
 from ...bridge import native
 from ...bridge.background import jobs
 from ...bridge.blender import units
@@ -123,10 +119,8 @@ class SeriesFiles(jobs.JobTask):
 
 
 def _write_all(found, names, write, folder, progress):
-    """All files, first into a folder of their own beside their final places."""
-    targets = [target_of(folder / name) for name in names]
-    aside = Path(tempfile.mkdtemp(prefix=".hull-series-", dir=folder))
-    try:
+    targets = [folder / name for name in names]
+    with native.require().FolderBeside(targets) as aside:
         for number, (step, name) in enumerate(zip(found.steps, names)):
 
             def told(share, number=number):
@@ -134,11 +128,8 @@ def _write_all(found, names, write, folder, progress):
 
             told(0.0)
             write(found, step, aside / name, told)
-        for name, target in zip(names, targets):
-            os.replace(aside / name, target)
-    finally:
-        shutil.rmtree(aside, ignore_errors=True)
-    return [folder / name for name in names]
+        aside.hand_over([aside / name for name in names])
+    return targets
 
 
 class _HullWriter:
