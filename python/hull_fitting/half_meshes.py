@@ -9,8 +9,10 @@ import numpy as np
 from .beside import normals_of
 from .triangle_edges import components, edge_table
 
-# Of the length: points are one, or in the centre plane.
-_WELD, _CENTRE = 1e-6, 1e-5
+# Of the length: points are one; points of triangles so near the centre plane are put there. More
+# than for control points: files of triangles are in single precision, or to few decimals, and what
+# was left beside the plane would be clipped into slivers.
+_WELD, _TO_CENTRE_PLANE = 1e-6, 1e-5
 # What a triangle's normal tells of what is outside: outwards is to port and downwards.
 _DOWNWARDS = 0.3
 
@@ -23,10 +25,6 @@ class HalfMesh:
     points: np.ndarray
     triangles: np.ndarray
     length: float
-
-    @property
-    def centre_tolerance(self):
-        return _CENTRE * self.length
 
     def kept(self, which):
         """The HalfMesh of some triangles, a mask (m,)."""
@@ -44,7 +42,9 @@ def half_mesh(geometry):
     )
     length = float(np.ptp(points[:, 0]))
     points, triangles = _welded(points, triangles, _WELD * length)
-    points = np.where((np.abs(points) < _CENTRE * length) & [False, True, False], 0.0, points)
+    points = np.where(
+        (np.abs(points) < _TO_CENTRE_PLANE * length) & [False, True, False], 0.0, points
+    )
     points, triangles = clipped(points, triangles, 1, 0.0)
     _, areas = normals_of(points, triangles)
     is_central = (points[triangles][:, :, 1] == 0.0).all(axis=1)

@@ -6,8 +6,8 @@ import numpy as np
 from .beside import end_to_end
 from .beside import hull_native as hn
 
-# Of the size: points are in the centre plane, in a plane across; ends of lines are joined.
-_CENTRE, _ACROSS, _JOINED = 1e-6, 2e-2, 1e-6
+# Of the size: points are in a plane across; ends of lines are joined.
+_ACROSS, _JOINED = 2e-2, 1e-6
 # Stations at an end between which stem and stern are told; places on an edge of the control mesh.
 _AT_END, _PER_EDGE = 3, 32
 
@@ -17,7 +17,8 @@ def end_lines(surface, stations):
     below upwards, before the last stations and abaft the first; and the rim of a transom, outwards.
     As many points as there are stations, or less."""
     size, count = surface.mesh.size, len(stations)
-    if count <= _AT_END or np.asarray(surface.mesh.points)[:, 1].min() < -_CENTRE * size:
+    at_centre = hn.tolerances.ON_CENTRE_PLANE * size
+    if count <= _AT_END or np.asarray(surface.mesh.points)[:, 1].min() < -at_centre:
         return ()
     lines = [
         (chain.kind.lower(), chain.evaluate(np.linspace(0.0, n, _PER_EDGE * n + 1))[0])
@@ -25,7 +26,7 @@ def end_lines(surface, stations):
         if not chain.closed
         for n in [chain.edge_count]
     ]
-    central = [line for _, line in lines if np.abs(line[:, 1]).max() < _CENTRE * size]
+    central = [line for _, line in lines if np.abs(line[:, 1]).max() < at_centre]
     found = []
     contours = end_to_end(central, _JOINED * size, -2.0) if central else []
     if contours:

@@ -7,13 +7,15 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from .beside import end_to_end, foot_on, lengths_along, points_at
+from .beside import end_to_end, foot_on
+from .beside import hull_native as hn
+from .beside import lengths_along, points_at
 
 # Stations at least; points of a line that is drawn and no table's.
 _LEAST, _DENSE = 5, 60
 # Of the length: how far points of a station may be from its plane, ends of its pieces from one
-# another, what is in the centre plane.
-_IN_PLANE, _JOINED, _CENTRE = 1e-6, 1e-3, 1e-6
+# another.
+_IN_PLANE, _JOINED = 1e-6, 1e-3
 # Of the half-breadth: a station that ends broader is an end of the hull, if waterlines do not close
 # within so many spacings of stations.
 _BROAD, _CLOSES = 0.05, 1.5
@@ -42,12 +44,13 @@ class Station:
 
 @dataclass
 class TableCurves:
-    """profile (n, 3): from the deck aft along the contour to the deck forward; deck (n, 3): from
-    aft; aft, forward: rims of flat ends, upwards, or None; knuckles: lines; levels: z of the
-    waterlines of tables; drawn: waterlines (n, 3) that are curves themselves; is_told: whether the
-    profile's ends were."""
+    """near_centre: m, what is so near the centre plane is in it; profile (n, 3): from the deck aft
+    along the contour to the deck forward; deck (n, 3): from aft; aft, forward: rims of flat ends,
+    upwards, or None; knuckles: lines; levels: z of the waterlines of tables; drawn: waterlines
+    (n, 3) that are curves themselves; is_told: whether the profile's ends were."""
 
     length: float
+    near_centre: float
     stations: list
     profile: np.ndarray = None
     deck: np.ndarray = None
@@ -62,9 +65,11 @@ class TableCurves:
 def table_curves(geometry):
     """The TableCurves of an oriented Geometry of a half hull. ValueError where there are fewer than
     five stations from the keel to the deck."""
-    length = float(np.ptp(geometry.all_points()[:, 0]))
+    extents = np.ptp(geometry.all_points(), axis=0)
+    length = float(extents[0])
+    near_centre = hn.tolerances.ON_CENTRE_PLANE * float(np.linalg.norm(extents))
     stations = _stations(geometry, length)
-    found = TableCurves(length, stations)
+    found = TableCurves(length, near_centre, stations)
     waterlines = [curve.points for curve in _of(geometry, "waterline")]
     found.drawn = [points for points in waterlines if len(points) > _DENSE]
     found.levels = sorted({float(p[0, 2]) for p in waterlines if len(p) <= _DENSE})
@@ -119,7 +124,7 @@ def _find_profile(found, geometry):
         off = np.abs(curve.points[:, :1] - xs).min(axis=1)
         if off.max() > 1e-6 * length or len(curve.points) > len(xs):
             in_space.append(curve.points)
-    keel = np.array([s.points[0] for s in found.stations if s.points[0, 1] < _CENTRE * length])
+    keel = np.array([s.points[0] for s in found.stations if s.points[0, 1] < found.near_centre])
     middle = 0.5 * (xs[0] + xs[-1])
     ends = {"aft": None, "forward": None}
     in_space = end_to_end(in_space, _JOINED * 1e-2 * length, -2.0)
@@ -250,7 +255,7 @@ def _find_ends(found, geometry):
             if abs(profile[0, 0] - end.x) < _JOINED * found.length:
                 rim = end.points
         if rim is not None:
-            rim, profile, deck = _with_rim(rim, profile, deck, found.length, is_aft)
+            rim, profile, deck = _with_rim(found, rim, profile, deck, is_aft)
         elif np.linalg.norm(deck[0] - profile[0]) > 1e-6 * found.length:
             deck = np.vstack([profile[:1], deck])
         setattr(found, name, rim)
@@ -258,14 +263,14 @@ def _find_ends(found, geometry):
         found.deck = deck if is_aft else deck[::-1]
 
 
-def _with_rim(rim, profile, deck, length, is_aft):
+def _with_rim(found, rim, profile, deck, is_aft):
     """The rim from the profile to the deck edge, and these from there on."""
-    side = 1.0 if is_aft else -1.0
+    side, length = 1.0 if is_aft else -1.0, found.length
     if rim[0, 1] > 0.0:
         lengths = lengths_along(profile)
         at, _ = foot_on(profile, lengths, rim[0] * [1.0, 0.0, 1.0])
         foot = points_at(profile, lengths, at)
-        rim = np.vstack([foot, rim]) if rim[0, 1] > _CENTRE * length else rim
+        rim = np.vstack([foot, rim]) if rim[0, 1] > found.near_centre else rim
     lengths = lengths_along(profile)
     at, _ = foot_on(profile, lengths, rim[0])
     profile = np.vstack([rim[:1] * [1.0, 0.0, 1.0], profile[lengths > at + 1e-6 * length]])

@@ -67,7 +67,7 @@ def _held(data, surface, flats, number, native):
     pairs += [(_numbers(own, number), axis) for own, axis in zip(kept, np.eye(3))]
     if data.half:
         points = surface.mesh.points
-        near = native.tolerances.ON_CENTRE_PLANE * np.ptp(points, axis=0).max()
+        near = native.tolerances.ON_CENTRE_PLANE * surface.mesh.size
         pairs.append((np.flatnonzero(np.abs(points[:, 1]) <= near), np.eye(3)[1]))
     return {
         "held_points": np.concatenate([np.asarray(own, dtype=np.int64) for own, _ in pairs]),

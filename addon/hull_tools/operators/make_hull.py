@@ -9,6 +9,10 @@ from ..bridge.objects import hull_objects, modifiers, shown_objects
 from ..features.hull import hull_creation, hull_state
 from .shared import BaseOperator, HullOperator, native_is_there
 
+# Of the half-breadth: a mesh that reaches no further to starboard is offered as a half. It is a
+# guess, which a person may overrule, not what is in the centre plane.
+_TO_STARBOARD = 1e-3
+
 
 def _can_be_hull(cls, context):
     obj = context.object
@@ -36,7 +40,9 @@ class HULL_OT_make_hull(bpy.types.Operator, BaseOperator):
         points = mesh_arrays.read_mesh(context.object.data).points
         if len(points) and not self.properties.is_property_set("half"):
             is_mirrored = any(map(modifiers.mirrors_sides, context.object.modifiers))
-            self.half = is_mirrored or bool(points[:, 1].min() > -1e-3 * points[:, 1].max())
+            self.half = is_mirrored or bool(
+                points[:, 1].min() > -_TO_STARBOARD * points[:, 1].max()
+            )
         return self.execute(context)
 
     def run(self, context):

@@ -3,7 +3,7 @@
 
 import numpy as np
 
-from ._core import crease_curves, fit_surface
+from ._core import crease_curves, fit_surface, tolerances
 from .bend_terms import bend_terms
 from .curve_bends import curve_bend_terms
 from .even_lines import even_lines
@@ -19,7 +19,6 @@ _AROUND_FLAT = 0.12
 # A place that is missed by the tolerance over this counts for twice as much; and at most.
 _HEED, _MOST_HEED = 1.5, 2.0
 _STEPS_OF_BENDS = 5
-_CENTRE = 1e-6
 _X, _Y, _Z = np.eye(3)
 
 
@@ -166,7 +165,7 @@ class GridFit:
         return held, tied
 
     def _is_central(self):
-        return np.abs(self.points[:, 1]) < _CENTRE * self.grid.outline.length
+        return np.abs(self.points[:, 1]) < tolerances.ON_CENTRE_PLANE * self.grid.outline.size
 
     def _below_arch(self):
         arch = self.grid.arch_row

@@ -6,10 +6,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from ._core import ControlMesh, LimitSurface
-
-# Of the length: the contour is in the centre plane there.
-_IN_CENTRE = 1e-6
+from ._core import ControlMesh, LimitSurface, tolerances
 
 
 @dataclass
@@ -122,7 +119,7 @@ def _contour_path(mesh):
 def _add_bar(mesh, path):
     for number, _ in path:
         x, y, z = mesh.points[number]
-        is_end = abs(y) < _IN_CENTRE * mesh.grid.outline.length
+        is_end = abs(y) < tolerances.ON_CENTRE_PLANE * mesh.grid.outline.size
         mesh.partners[number] = (
             number if is_end else mesh.add_point((x, 0.0, z), mesh.row_of[number])
         )

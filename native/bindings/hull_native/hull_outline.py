@@ -13,13 +13,15 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from ._core import tolerances
 from .network_reasons import beside_centre_plane, no_regions
 from .polylines import end_to_end, lengths_along, points_at
 
 # Points on an edge of the network.
 _EDGE_PARTS = 8
-# Of the length: places are the same, in the centre plane, in one plane.
-_SAME, _CENTRE, _PLANE = 1e-7, 1e-6, 1e-4
+# Of the length: places are the same, in one plane as curves drawn by hand are; the curves reach no
+# further beyond the centre plane.
+_SAME, _PLANE, _BEYOND = 1e-7, 1e-4, 1e-4
 # Of the breadth: a bar along the centre plane is no wider.
 _BAR = 0.03
 # An end is flat where its normal is this much along the ship; an edge of the border is of an open
@@ -60,6 +62,11 @@ class HullOutline:
     stem: object = None
     post: object = None
     arch: object = None
+
+    @property
+    def size(self):
+        """The diagonal of the box of all lines, m, as ControlMesh.size has it of points."""
+        return float(np.linalg.norm(self.high - self.low))
 
     @property
     def lengths(self):
@@ -126,7 +133,7 @@ def hull_outline(network):
     points = np.concatenate([sheets.points(edge) for edge in range(len(sheets.edges))])
     low, high = points.min(axis=0), points.max(axis=0)
     length = float(high[0] - low[0])
-    if low[1] < -1e-4 * length:
+    if low[1] < -_BEYOND * length:
         raise ValueError(
             "The network reaches beyond the centre plane, to y = "
             f"{low[1]:.3f} m: give the curves of the port half, on the side of positive y."
@@ -143,7 +150,7 @@ def hull_outline(network):
     outline.middle = _bar_middle(sheets, kinds, outline)
     for end in ("aft", "forward"):
         if end in kinds:
-            outline.ends[end] = _end_lines(sheets, kinds, end, length)
+            outline.ends[end] = _end_lines(sheets, kinds, end, outline)
     outline.knuckles = _knuckles(sheets, in_shell, length)
     find_ends(outline)
     return outline
@@ -156,6 +163,10 @@ def find_ends(outline):
     _find_post(outline)
 
 
+def _in_centre_plane(low, high):
+    return tolerances.ON_CENTRE_PLANE * np.linalg.norm(high - low)
+
+
 def _kind(sheets, sheet, low, high):
     points = np.concatenate([sheets.points(edge) for edge in sheets.edges_of(sheet)])
     middle = points.mean(axis=0)
@@ -163,7 +174,7 @@ def _kind(sheets, sheet, low, high):
     size = high[0] - low[0]
     if np.abs((points - middle) @ normal).max() < _PLANE * size and abs(normal[0]) > _ACROSS:
         return "aft" if middle[0] < 0.5 * (low[0] + high[0]) else "forward"
-    is_central = np.abs(points[:, 1]).min() < _CENTRE * size
+    is_central = np.abs(points[:, 1]).min() < _in_centre_plane(low, high)
     is_narrow = points[:, 1].max() < _BAR * high[1]
     return "bar" if is_central and is_narrow else "shell"
 
@@ -208,7 +219,7 @@ def _border(sheets, kinds, in_shell, low, high):
 def _side_of(points, beside, low, high):
     if beside:
         return {"bar": "contour"}.get(beside[0], beside[0])
-    if np.abs(points[:, 1]).max() < _CENTRE * (high[0] - low[0]):
+    if np.abs(points[:, 1]).max() < _in_centre_plane(low, high):
         return "contour"
     way = points[-1] - points[0]
     is_across = abs(way[0]) < _OPEN_END * np.linalg.norm(way)
@@ -242,7 +253,8 @@ def _bar_middle(sheets, kinds, outline):
         if len(regions) == 1 and kinds[sheets.sheet_of[regions[0][0]]] == "bar"
     ]
     lines = [sheets.points(edge) for edge in edges]
-    lines = [line for line in lines if np.abs(line[:, 1]).max() < _CENTRE * outline.length]
+    near = tolerances.ON_CENTRE_PLANE * outline.size
+    lines = [line for line in lines if np.abs(line[:, 1]).max() < near]
     if not lines:
         return None
     line = max(end_to_end(lines, _SAME * outline.length), key=len)
@@ -252,18 +264,18 @@ def _bar_middle(sheets, kinds, outline):
     return line[::-1] if is_backward else line
 
 
-def _end_lines(sheets, kinds, end, length):
+def _end_lines(sheets, kinds, end, outline):
     """Of a flat end: its line in the centre plane, upwards, and its upper border, inwards."""
     middle, rim = [], []
     for edge, regions in sheets.regions.items():
         if len(regions) != 1 or kinds[sheets.sheet_of[regions[0][0]]] != end:
             continue
         points = sheets.points(edge)
-        is_middle = np.abs(points[:, 1]).max() < _CENTRE * length
+        is_middle = np.abs(points[:, 1]).max() < tolerances.ON_CENTRE_PLANE * outline.size
         (middle if is_middle else rim).append(points)
     lines = []
     for parts, axis, what in ((middle, 2, "centre plane"), (rim, 1, "deck")):
-        joined = end_to_end(parts, _SAME * length, -2.0)
+        joined = end_to_end(parts, _SAME * outline.length, -2.0)
         if len(joined) != 1:
             raise ValueError(
                 f"The flat end {end} has {len(joined)} borders along the {what}; give one."

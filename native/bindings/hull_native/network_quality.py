@@ -5,15 +5,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ._core import PatchBody
+from ._core import PatchBody, tolerances
 
 # Of an edge between two patches: places at which their normals are compared, none of which is an
 # inner knot of few equal spans.
 _SEAM_PLACES = (np.arange(11) + 0.5) / 11
 # Degrees: seams that are smooth to less are not named; of those that are not, so many are told.
 _ROUGH, _TOLD = 1.0, 3
-# Of the size: a network all of which is to port of the centre plane, but for this, is half a hull.
-_CENTRE = 1e-6
 
 
 @dataclass(frozen=True)
@@ -151,7 +149,8 @@ def network_immersion(network, made, draft):
     """The Immersion of a network's surface upright at a draft, m; that of half a hull counts twice.
     ValueError as PatchBody raises."""
     nodes = np.asarray(network.nodes)
-    is_half = nodes[:, 1].min() > -_CENTRE * np.ptp(nodes, axis=0).max()
+    size = np.linalg.norm(np.ptp(nodes, axis=0))
+    is_half = nodes[:, 1].min() > -tolerances.ON_CENTRE_PLANE * size
     return PatchBody(made.patches, mirrored=bool(is_half)).immersion((0.0, 0.0, 1.0), draft)
 
 

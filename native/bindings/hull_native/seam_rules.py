@@ -6,7 +6,7 @@ from math import isfinite
 
 import numpy as np
 
-from ._core import plane_across
+from ._core import plane_across, tolerances
 from ._production import HullCurves
 from .strakes import deck_edge, length_of_curve
 
@@ -87,7 +87,7 @@ def _one(curves, rule):
 
 def centre_line(curves):
     """The SurfaceCurve of the border in the centre plane that runs lowest along the ship."""
-    central = [c for c in curves.borders() if np.abs(c.points[:, 1]).max() < 1e-6 * _size(c)]
+    central = [c for c in curves.borders() if np.abs(c.points[:, 1]).max() <= _near_centre(c)]
     if not central:
         raise ValueError("The hull has no border in the centre plane: is it half a hull?")
     longest = max(np.ptp(c.points[:, 0]) for c in central)
@@ -97,8 +97,10 @@ def centre_line(curves):
     )
 
 
-def _size(curve):
-    return max(float(np.ptp(curve.points, axis=0).max()), 1e-9)
+def _near_centre(curve):
+    """m; of the border's own size, which is no more than the hull's."""
+    size = float(np.linalg.norm(np.ptp(curve.points, axis=0)))
+    return tolerances.ON_CENTRE_PLANE * max(size, 1e-9)
 
 
 def _strakes(curves, rule):

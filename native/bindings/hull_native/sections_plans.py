@@ -5,7 +5,7 @@ from functools import cached_property
 
 import numpy as np
 
-from ._core import feature_fairness, section
+from ._core import feature_fairness, section, tolerances
 from ._drawing import FigureSheet, text_width
 from .figure_form import round_spacing
 from .line_labels import LineLabels
@@ -95,8 +95,9 @@ class _Plan:
 
     def draw_features(self):
         """Knuckles and the deck edge, each half of the ship on its side."""
+        near = tolerances.ON_CENTRE_PLANE * self.form.surface.mesh.size
         for curve in feature_fairness(self.form.surface, count=120, marks=False):
-            if np.abs(curve.points[:, 1]).max() < 1e-6 * self.half_beam:
+            if np.abs(curve.points[:, 1]).max() <= near:
                 continue
             is_crease = curve.kind == "crease"
             colour, width = (_KNUCKLE, 0.3) if is_crease else (_BLACK, 0.35)

@@ -3,7 +3,7 @@
 
 import numpy as np
 
-from ._core import LimitSurface, crease_curves, fit_surface
+from ._core import LimitSurface, crease_curves, fit_surface, tolerances
 from .network_targets import network_targets
 from .polylines import foot_on, lengths_along, points_at
 from .sampling import on_spline
@@ -16,7 +16,6 @@ _STEPS = 30
 _ON_EDGE = 16
 # Parts of a chain's control edges, and of a spline's spans.
 _PARTS = 6
-_CENTRE = 1e-6
 # A chain that is as long as this part of a curve is all of it.
 _WHOLE = 0.8
 
@@ -31,7 +30,7 @@ def fit_template(network, layout, progress=None):
     points = np.array(mesh.points)
     curves = _lines_of_chains(network, layout)
     targets = network_targets(network, _ON_EDGE)
-    central = np.flatnonzero(np.abs(points[:, 1]) < _CENTRE * np.ptp(points[:, 0]))
+    central = np.flatnonzero(np.abs(points[:, 1]) < tolerances.ON_CENTRE_PLANE * mesh.size)
     surface = layout
     for stage, (stiffness, with_patches) in enumerate(_STAGES):
         chosen = slice(None) if with_patches else targets.on_curves

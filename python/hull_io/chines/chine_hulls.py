@@ -10,11 +10,10 @@ import numpy as np
 
 from ..hull_data import HullData
 from ..mending import mend
-from ..mirror import put_on_centre_plane
+from ..mirror import AT_CENTRE_LINE, put_on_centre_plane
 
-# Of the hull's size: ends of chines that are nearer are one point; a keel so near the centre plane
-# is in it.
-_SAME, _ON_CENTRE = 1e-7, 1e-3
+# Of the hull's size: ends of chines that are nearer are one point.
+_SAME = 1e-7
 # Bulkheads where chines have not the same number of points, one beside another.
 _MOST_BULKHEADS = 50
 
@@ -31,7 +30,7 @@ def hull_of_chines(chines):
     if curves[0][:, 2].mean() > curves[-1][:, 2].mean():
         curves = curves[::-1]
     curves = _with_equal_counts(curves, notes)
-    if np.abs(curves[0][:, 1]).max() > _ON_CENTRE * size:
+    if np.abs(curves[0][:, 1]).max() > AT_CENTRE_LINE * size:
         curves.insert(0, curves[0] * [1.0, 0.0, 1.0])
         notes.append("The lowest chine is beside the centre plane: a level bottom was made.")
     curves[0][:, 1] = 0.0

@@ -10,6 +10,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from ..mirror import AT_CENTRE_LINE
 from .drawn_views import LAYERS, PER_SPAN, sampled, views_of
 from .values import polyline
 
@@ -17,8 +18,9 @@ from .values import polyline
 _MEETS, _SAME = 4e-5, 1e-5
 # Of the length: a line across reaches no further along the ship.
 _ACROSS = 0.05
-# Of the length: what is no further from the centre plane is drawn as its line.
-_AT_CENTRE = 1.2e-3
+# Of the length: what is no further from the centre plane is drawn as its line, for a hull whose
+# size, the diagonal, is no more than a fifth larger.
+_AT_CENTRE = 1.2 * AT_CENTRE_LINE
 
 
 def placed_views(geometry):

@@ -79,9 +79,7 @@ def _developed(obj, found, memory, before, points, moved):
     there = points.copy()
     control = before.source.control
     locked = np.flatnonzero(np.isin(control.vertex_ids, point_locks.locked_points(obj.data)))
-    held = held_points.held_points(
-        obj, control.vertex_ids, control.points, before.surface.mesh.size
-    )
+    held = held_points.held_points(obj, control.vertex_ids, control.points)
     for region in together(found):
         faces = np.flatnonzero(np.isin(control.face_ids, region.faces))
         try:

@@ -6,19 +6,20 @@ half hull."""
 import numpy as np
 
 from ...bridge import native
+from ...bridge.mesh.mesh_check import on_centre_plane
 from . import flats, kept_points, planes
 
 
-def held_points(obj, vertex_ids, points, size):
+def held_points(obj, vertex_ids, points):
     """(control points (h,), normals (h, 3)) of a hull whose control points (n, 3), in m, have these
-    indices in its mesh; size: of the surface, m."""
+    indices in its mesh."""
     found = [(np.array(part), plane[:3]) for part, plane in flats.flat_planes(obj)]
     pairs = [(np.flatnonzero(np.isin(vertex_ids, part)), normal) for part, normal in found]
     kept = kept_points.read(obj.data)
     for axis, normal in enumerate(np.eye(3)):
         pairs.append((np.flatnonzero(np.isin(vertex_ids, kept.along(axis))), normal))
     if obj.hull.half:
-        pairs.append((np.flatnonzero(on_centre(points, size)), (0.0, 1.0, 0.0)))
+        pairs.append((np.flatnonzero(on_centre_plane(points)), (0.0, 1.0, 0.0)))
     held = [np.empty(0, dtype=np.int64)] + [part for part, _ in pairs]
     normals = [np.empty((0, 3))] + [np.tile(normal, (len(part), 1)) for part, normal in pairs]
     return np.concatenate(held), np.concatenate(normals)
@@ -28,13 +29,13 @@ def held_points(obj, vertex_ids, points, size):
 _AS_FAR_OUT = 1e-3
 
 
-def of_outline(surface, points, size, profile, deck, side):
+def of_outline(surface, points, profile, deck, side):
     """(control points (h,), normals (h, 3)) of what keeps a hull's outlines, where these are asked
     for: profile, points on the centre plane stay; deck, those of the borders beside it; side, those
     as far out as any keep their breadth; solver() sees to what is beside them. surface:
     hull_native.LimitSurface of points (n, 3)."""
     stays = np.zeros(len(points), dtype=bool)
-    at_centre = on_centre(points, size)
+    at_centre = on_centre_plane(points)
     border = np.zeros(len(points), dtype=bool)
     border[np.unique(np.asarray(surface.mesh.border_edges))] = True
     if profile:
@@ -73,8 +74,3 @@ def in_plane(part, points):
     lie in a plane, in it: by the normal of the plane that fits them best."""
     normal = planes.fit(points[part], "BEST")[:3]
     return np.asarray(part), np.tile(normal, (len(part), 1))
-
-
-def on_centre(points, size):
-    """(n,) which points are on the centre plane."""
-    return np.abs(points[:, 1]) <= native.require().tolerances.ON_CENTRE_PLANE * size

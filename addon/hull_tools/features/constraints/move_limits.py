@@ -61,9 +61,9 @@ class MoveLimits:
         }
 
 
-def of_hull(obj, vertex_ids, points, size):
-    """The MoveLimits of a hull whose control points (n, 3), in m, have these indices in its mesh;
-    size: of the surface, m."""
+def of_hull(obj, vertex_ids, points):
+    """The MoveLimits of a hull whose control points (n, 3), in m, have these indices in its
+    mesh."""
     locked = np.flatnonzero(np.isin(vertex_ids, point_locks.locked_points(obj.data)))
-    held = held_points.held_points(obj, vertex_ids, points, size)
+    held = held_points.held_points(obj, vertex_ids, points)
     return MoveLimits(locked, *held, ties.move_sums(obj.data, vertex_ids, points))

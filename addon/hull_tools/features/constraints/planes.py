@@ -7,9 +7,8 @@ precision, any other to its rounding.
 
 import numpy as np
 
-# How far apart, as parts of the size, points may be that count as lying in one plane: several times
-# the rounding of single precision, which is what turning and moving leaves.
-_IN_PLANE = 1e-6
+from ...bridge import native
+
 # What rounding to single precision alone makes of it.
 _ROUNDING = 2.4e-7
 # An axis nearer than this angle to a normal is meant.
@@ -53,8 +52,9 @@ def heights(points, plane):
 
 
 def tolerance(points):
-    """Within which points that are to lie in a plane do."""
-    return _IN_PLANE * _size(points)
+    """Within which points that are to lie in a plane do: part of their coordinates, by which single
+    precision rounds."""
+    return native.require().tolerances.IN_PLANE * _size(points)
 
 
 def _size(points):

@@ -13,9 +13,6 @@ from ..lines.line_places import station_spaces
 IS_LIVE = False
 
 _DRAFTS = 20
-# Stations at the hull's ends are cut so much of her length inside: in the plane of a transom there
-# is no telling what belongs to the station.
-_END_SHARE = 1e-6
 # In the plot so many stations stand apart from one another.
 _MOST_PLOTTED = 21
 
@@ -50,7 +47,9 @@ def inputs(settings, metres_per_unit):
 
 def compute(ship, given):
     low, high = np.sort(ship.body.surface.mesh.points[:, 0])[[0, -1]]
-    margin = _END_SHARE * (high - low)
+    # Stations at the hull's ends are cut inside: in the plane of a transom there is no telling what
+    # belongs to the station.
+    margin = native.require().tolerances.SAME_POSITION * (high - low)
     stations = [_inside(x, low, high, margin) for x in given.stations]
     curves = native.require().bonjean(ship.body, stations=stations, drafts=given.drafts)
     return Result(curves, given)

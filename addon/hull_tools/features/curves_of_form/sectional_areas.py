@@ -14,10 +14,6 @@ IS_LIVE = True
 
 _SPACES = 80
 _FINER = 4  # so many times, the two spaces at either end: there the curve bends most
-# The ends are cut so much of the length inside the hull, where a transom still has its area.
-_END_SHARE = 1e-6
-
-
 # Stations are rounded to 1e-8 m, so that they stay while other parts of the hull move.
 _DECIMALS = 8
 
@@ -47,7 +43,8 @@ def inputs(settings, metres_per_unit):
 def compute(ship, where):
     found = ship.hydrostatics(where)
     low, high = _reach(ship.body, found)
-    margin = _END_SHARE * (high - low)
+    # The ends are cut so far inside the hull, where a transom still has its area.
+    margin = native.require().tolerances.SAME_POSITION * (high - low)
     numbers = np.arange(_FINER * _SPACES + 1)
     inside = (numbers > 2 * _FINER) & (numbers < numbers[-1] - 2 * _FINER)
     numbers = numbers[~inside | (numbers % _FINER == 0)]

@@ -13,7 +13,6 @@ from ...bridge.mesh.mesh_editing import check_single_user
 from ...bridge.objects import hull_mesh
 from ..constraints import flats, move_limits, ties
 from ..flotation import ship
-from ..lines import lines
 from . import following
 
 
@@ -39,7 +38,7 @@ def search(obj, scene, now, keep, wanted, of_surface):
     surface = source.new_surface()
     body = source.new_body(surface)
     named = {name: True for name in keep}
-    own_flats, own_limits = _flats(obj, control, scale), _limits(obj, control, surface)
+    own_flats, own_limits = _flats(obj, control, scale), _limits(obj, control)
 
     def found(progress):
         ranges = hull_native.kept_ranges(
@@ -84,9 +83,8 @@ def _flats(obj, control, scale):
     ]
 
 
-def _limits(obj, control, surface):
-    size = lines.size_of(surface)
-    return move_limits.of_hull(obj, control.vertex_ids, control.points, size).of_planes()
+def _limits(obj, control):
+    return move_limits.of_hull(obj, control.vertex_ids, control.points).of_planes()
 
 
 def apply(obj, scene, kept):

@@ -18,8 +18,6 @@ from .endings import checked_ending
 
 # Of the hull's size: how far curves in space are from the surface's.
 _TOLERANCE = 1e-6
-# Of the hull's size: curves nearer to the centre plane have no mirror image.
-_IN_CENTRE_PLANE = 1e-6
 _PAPERS_MM = (390.0, 270.0)  # what an A3 sheet has for a view
 
 
@@ -126,7 +124,8 @@ class CurvesFile(jobs.JobTask):
 
         def work(progress):
             surface = source.new_surface()
-            near = _IN_CENTRE_PLANE * lines.size_of(surface)
+            # Curves in the centre plane have no mirror image.
+            near = hull_native.tolerances.ON_CENTRE_PLANE * surface.mesh.size
             curves = []
             for _, layer, knots, control in cad_curves.curves(
                 surface, wanted, lambda share: progress(0.9 * share)

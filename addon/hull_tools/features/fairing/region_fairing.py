@@ -109,9 +109,7 @@ class _Start:
         mesh = hull_native.ControlMesh(*self.control.arguments())
         self.surface = hull_native.LimitSurface(mesh, self.found.scheme)
         self.size = lines.size_of(self.surface)
-        self.limits = move_limits.of_hull(
-            obj, self.control.vertex_ids, self.control.points, self.size
-        )
+        self.limits = move_limits.of_hull(obj, self.control.vertex_ids, self.control.points)
         self.seen = self._seen(obj) if asked.by_marks else None
         self.keeping = form_keeping.keeping(obj, self.scale, self.state.ship.source, asked.kept)
 

@@ -75,7 +75,7 @@ def fair_rows(obj, scene, asked):
     mesh = hull_native.ControlMesh(*control.arguments())
     surface = hull_native.LimitSurface(mesh, found.scheme)
     size = lines.size_of(surface)
-    allowed = move_limits.of_hull(obj, control.vertex_ids, control.points, size)
+    allowed = move_limits.of_hull(obj, control.vertex_ids, control.points)
     points = np.unique(np.concatenate([row.points for row in rows]))
     parts = [(row.points[part], closed) for row in rows for part, closed in row.parts()]
     smoothed = row_smoothing.smooth(

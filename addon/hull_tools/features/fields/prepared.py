@@ -63,8 +63,7 @@ def of_hull(obj, found, scale, before=None):
     has_faces_of_before = before is not None and before.key[0] == found.topology_key
     if not has_faces_of_before:
         _check(found, control)
-    size = float(np.ptp(control.points, axis=0).max(initial=0.0))
-    allowed = move_limits.of_hull(obj, control.vertex_ids, control.points, size)
+    allowed = move_limits.of_hull(obj, control.vertex_ids, control.points)
     key = (found.topology_key, found.points_digest, scale, allowed.key())
     if has_faces_of_before:
         if before.key == key:

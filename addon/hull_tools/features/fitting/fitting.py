@@ -116,7 +116,7 @@ def _arguments(obj, surface, control, scale):
     limits.within(reach, "Reach in m", 0.0, limits.LONGEST)
     curves = [(line, None, False) for line in target.lines]
     curves += fit_targets.centre_curves(target, hull_native.crease_curves(surface), reach)
-    moves = move_limits.of_hull(obj, control.vertex_ids, control.points, size)
+    moves = move_limits.of_hull(obj, control.vertex_ids, control.points)
     turned = _turned_as(surface, target, reach)
     alone = coverage.uncovered(control, surface, target.points, turned, reach)
     moves = moves.with_locked(alone.points)

@@ -58,7 +58,7 @@ def chains_of(surface, group, as_splines):
     chains = _splines_of(surface, group) if as_splines else _polylines_of(group)
     if group.is_mirrored:
         on_plane = native.require().tolerances.ON_CENTRE_PLANE
-        return _with_images(chains, on_plane * lines.size_of(surface))
+        return _with_images(chains, on_plane * surface.mesh.size)
     return chains
 
 

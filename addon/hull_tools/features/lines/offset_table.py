@@ -11,6 +11,9 @@ from . import feet_offsets, line_places
 
 IS_LIVE = False
 
+# m: half-breadths of less are written as nought, to a tenth of a millimetre: half of that.
+_NO_HALF_BREADTH = 5e-5
+
 
 def inputs(settings, metres_per_unit):
     return line_places.line_places(settings, metres_per_unit)
@@ -109,7 +112,7 @@ def _marks(table, i):
 
 
 def _columns_of(points):
-    if np.abs(points[:, 1]).max() < 5e-5:
+    if np.abs(points[:, 1]).max() < _NO_HALF_BREADTH:
         return ["x [m]", "height [mm]"]
     return ["x [m]", "half-breadth [mm]", "height [mm]"]
 

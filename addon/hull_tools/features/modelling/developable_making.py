@@ -48,7 +48,7 @@ def make_developable(obj, scene, warp, distance, keep=True):
     own = np.flatnonzero(np.isin(control.face_ids, faces))
     surface = state.ship.source.new_surface()
     row = native.require().RuledRow(surface, own)
-    limits = move_limits.of_hull(obj, control.vertex_ids, control.points, surface.mesh.size)
+    limits = move_limits.of_hull(obj, control.vertex_ids, control.points)
     made = row.develop(
         radians(warp),
         distance * scale,

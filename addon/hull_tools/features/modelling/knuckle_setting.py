@@ -10,7 +10,6 @@ from ...bridge.blender import units
 from ...bridge.mesh import mesh_points, selection
 from ..constraints import move_limits
 from ..hull import hull_state, tags
-from ..lines import lines
 
 # How near to the angle asked for is near enough, rad.
 TOLERANCE = np.radians(0.1)
@@ -48,7 +47,7 @@ def set_selected(obj, scene, angle):
     state = hull_state.up_to_date(obj, scene)
     surface, ids = state.ship.surface, state.ship.source.control.vertex_ids
     chosen = _selected_knuckles(obj, state)
-    limits = move_limits.of_hull(obj, ids, surface.mesh.points, lines.size_of(surface))
+    limits = move_limits.of_hull(obj, ids, surface.mesh.points)
     limits = limits.with_locked(np.flatnonzero(surface.mesh.vertex_kinds > 0))
     hull_native = native.require()
     before = surface.mesh.points

@@ -71,9 +71,7 @@ class SurfacePull:
         self._start = found.data.points.astype(np.float64)
         self._moved = np.empty(0, dtype=np.int64)
         self._is_crease = (mesh.vertex_kinds > 0) & hold_creases
-        self._limits = move_limits.of_hull(
-            obj, self._ids, control.points, lines.size_of(self.surface)
-        )
+        self._limits = move_limits.of_hull(obj, self._ids, control.points)
         self._moves = self._limits.reshape_arguments(self.surface)
         self._is_locked = np.zeros(len(self._ids), dtype=bool)
         self._is_locked[self._limits.locked] = True

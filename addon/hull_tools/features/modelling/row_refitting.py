@@ -6,7 +6,6 @@ import numpy as np
 
 from ...bridge import native
 from ..constraints import move_limits
-from ..lines import lines
 
 # Points so many edges away from the row are placed anew.
 _RINGS = 2
@@ -27,7 +26,7 @@ def refitted(obj, old, surface, control, rows, longest):
     surface is nearest to the old one), m. What may not move stays: locked points, flats, points in
     their planes. control: mesh_arrays.ControlArrays of the surface; longest: of the row's edges."""
     hull_native = native.require()
-    limits = move_limits.of_hull(obj, control.vertex_ids, control.points, lines.size_of(old))
+    limits = move_limits.of_hull(obj, control.vertex_ids, control.points)
     free = _around(control, rows)
     free[limits.locked] = False
     points = old.tessellate(_SAMPLES).points

@@ -115,7 +115,7 @@ def _plane_of(curve, size):
     if curve.kind in ("station", "waterline", "buttock"):
         return plane, normal, position
     # Creases and borders that happen to be in a plane are kept in the centre plane alone.
-    in_centre = plane == "Y" and abs(position) <= 1e-6 * size
+    in_centre = plane == "Y" and abs(position) <= native.require().tolerances.ON_CENTRE_PLANE * size
     return (plane, normal, 0.0) if in_centre else ("NONE", None, 0.0)
 
 

@@ -11,6 +11,8 @@ from . import choosing_points, network_state, planes
 _STRAIGHT = 0.99939
 # Of a B-spline's size: how near to it the curve is that is made of it.
 _NEAR = 1e-5
+# Of a curve's size: points nearer to one another are one.
+_SAME = 1e-7
 
 
 def new(scene, name):
@@ -112,7 +114,7 @@ def _apart(points, knuckles):
     if len(points) < 2:
         return points, knuckles
     size = max(np.ptp(points, axis=0).max(), 1e-12)
-    kept = np.append(True, np.linalg.norm(np.diff(points, axis=0), axis=1) > 1e-7 * size)
+    kept = np.append(True, np.linalg.norm(np.diff(points, axis=0), axis=1) > _SAME * size)
     numbers = np.cumsum(kept) - 1
     knuckles = sorted({int(numbers[k]) for k in knuckles})
     points = points[kept]

@@ -17,6 +17,9 @@ from . import joining, planes, ties
 from .live_surface import LiveSurface
 from .problems import Problem
 
+# Of a curve's size: what is less than this out of its plane is there.
+_SHIFTED = 1e-6
+
 _states = {}
 
 
@@ -166,7 +169,7 @@ def _carry_planes(state, objects, fresh):
         heights = now @ plane[0]
         shift = float(np.mean(heights) - plane[1])
         size = max(np.ptp(now, axis=0).max(), 1e-6)
-        if np.ptp(heights) <= 1e-5 * size and abs(shift) > 1e-6 * size:
+        if np.ptp(heights) <= planes.FLAT * size and abs(shift) > _SHIFTED * size:
             obj.hull.curve.position += shift
 
 

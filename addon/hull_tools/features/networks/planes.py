@@ -15,9 +15,13 @@ PLANE_OF_KIND = {
     "FREE": "NONE",
     "DECK_EDGE": "NONE",
 }
-# Of a curve's size: what is one plane when it is looked for.
-_FLAT = 1e-5
+# Of a curve's size: what is one plane when it is looked for, as a person draws it.
+FLAT = 1e-5
 _PARALLEL = 1e-9
+# Normals shorter than this are none: a person types them, of about 1.
+_SHORTEST_NORMAL = 1e-6
+# Of the points' distance from the origin: a place is on all planes, but for rounding.
+_ON_ALL = 1e-7
 
 
 def plane_of(settings):
@@ -32,7 +36,7 @@ def carrier(plane, normal, position):
         return None
     normal = np.array(_AXES.get(plane) or normal, dtype=np.float64)
     length = np.linalg.norm(normal)
-    if not (np.isfinite(length) and length > 1e-6):
+    if not (np.isfinite(length) and length > _SHORTEST_NORMAL):
         return None
     return normal / length, float(position)
 
@@ -47,7 +51,7 @@ def onto(points, planes):
     off = offsets[:, None] - normals @ points.T
     moves = np.linalg.pinv(normals, rcond=_PARALLEL) @ off
     size = max(np.abs(offsets).max(), np.abs(points).max(), 1e-9)
-    if np.abs(normals @ moves - off).max() > 1e-7 * size:
+    if np.abs(normals @ moves - off).max() > _ON_ALL * size:
         return None
     return points + moves.T
 
@@ -59,10 +63,10 @@ def found_in(points):
     size = np.ptp(points, axis=0).max()
     for name, axis in _AXES.items():
         heights = points @ axis
-        if np.ptp(heights) <= _FLAT * size:
+        if np.ptp(heights) <= FLAT * size:
             return name, np.array(axis), float(np.median(heights))
     _, sizes, axes = np.linalg.svd(points - middle, full_matrices=True)
-    if len(sizes) < 3 or sizes[2] > _FLAT * sizes[0] or sizes[1] <= _FLAT * sizes[0]:
+    if len(sizes) < 3 or sizes[2] > FLAT * sizes[0] or sizes[1] <= FLAT * sizes[0]:
         return "NONE", None, 0.0
     normal = axes[2] * (1.0 if axes[2][np.abs(axes[2]).argmax()] > 0.0 else -1.0)
     return "OWN", normal, float(normal @ middle)
@@ -70,7 +74,7 @@ def found_in(points):
 
 def kind_of(plane, position, size):
     """The kind that a curve in such a plane is taken for."""
-    if plane == "Y" and abs(position) <= _FLAT * size:
+    if plane == "Y" and abs(position) <= FLAT * size:
         return "PROFILE"
     return {"X": "STATION", "Y": "BUTTOCK", "Z": "WATERLINE"}.get(plane, "FREE")
 

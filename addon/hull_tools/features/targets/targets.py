@@ -14,7 +14,6 @@ from ..conversion import conversions
 from ..dimensions import dimensions
 from ..hull import form_before, hull_state
 from ..hull.as_it_was import AsItWas
-from ..lines import lines
 from . import asked, reports, rows
 
 # Of a breadth: what single precision leaves.
@@ -81,8 +80,8 @@ def _options(obj, surface, control, source, scale):
 
 def _moves(obj, surface, control):
     """What control points may do, as keyword arguments."""
-    settings, size = obj.hull.targets, lines.size_of(surface)
-    found = move_limits.of_hull(obj, control.vertex_ids, control.points, size)
+    settings = obj.hull.targets
+    found = move_limits.of_hull(obj, control.vertex_ids, control.points)
     arguments = found.reshape_arguments(surface)
     is_scaled = any(getattr(settings, f"free_{name}") for name in asked.DIMENSIONS)
     if is_scaled and len(found.locked):
@@ -102,7 +101,7 @@ def _moves(obj, surface, control):
         (arguments["held_points"], arguments["held_normals"]),
         held_points.all_ways(np.flatnonzero(stays)),
         held_points.of_outline(
-            surface, points, size, settings.keep_profile, settings.keep_deck, settings.keep_side
+            surface, points, settings.keep_profile, settings.keep_deck, settings.keep_side
         ),
     )
     arguments["locked"] = np.empty(0, dtype=np.int64) if is_scaled else found.locked

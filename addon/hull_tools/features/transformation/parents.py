@@ -12,7 +12,6 @@ from ...bridge.objects import hull_mesh
 from ..constraints import flats, held_points, move_limits
 from ..flotation import afloat, ship
 from ..hull import form_before, hull_state
-from ..lines import lines
 
 # How steeply sections that are kept may meet those that are shifted.
 _LEAST_FADE = 1e-3  # of the length
@@ -52,9 +51,8 @@ class Parent:
         kept stay; flats along the ship and the centre plane hold their points; flats that are raked
         or across the ship, and transoms in planes, move as one. keeps_ranges: control points of the
         ends that are kept stay, too."""
-        size = lines.size_of(self.surface)
         ids = self.control.vertex_ids
-        found = move_limits.of_hull(self.obj, ids, self.control.points, size)
+        found = move_limits.of_hull(self.obj, ids, self.control.points)
         locked = [found.locked, self._kept_points()]
         if keeps_ranges:
             locked.append(self._points_of_ranges())
@@ -79,11 +77,11 @@ class Parent:
         with ends="in plane" stays in its plane. profile, deck, side: what stays besides, see
         held_points.of_outline."""
         arguments = self.limit_arguments(keeps_ranges=True)
-        size, points = lines.size_of(self.surface), self.control.points
+        points = self.control.points
         rigid = arguments.pop("rigid")
         held = [
             (arguments["held_points"], arguments["held_normals"]),
-            held_points.of_outline(self.surface, points, size, profile, deck, side),
+            held_points.of_outline(self.surface, points, profile, deck, side),
         ]
         if ends == "stay":
             held += [held_points.all_ways(part) for part in rigid]
