@@ -225,7 +225,7 @@ def test_a_given_load_counts():
 
 def test_the_load_afloat_with_trim_keeps_that_trim():
     hull = afloat_box()
-    hull.hull.trim = 0.4
+    hull.hull.trim_m = 0.4
     result = result_of(hull, "righting_levers")
     assert degrees(result.levers.trims[0]) == pytest.approx(degrees(np.arctan(0.04)), abs=1e-8)
 
@@ -425,7 +425,7 @@ def test_settings_survive_saving(tmp_path):
     add_case(hull, "ballast", 30.0, lcg=4.0)
     bpy.ops.hull.add_downflooding_point()
     settings = hull.hull
-    settings.trim, settings.heel, settings.deck_closed = -0.25, 0.125, False
+    settings.trim_m, settings.heel, settings.deck_closed = -0.25, 0.125, False
     settings.table.trims = "-1 0"
     settings.plots.sectional_areas, settings.plots.corner = True, "TOP_RIGHT"
     path = str(tmp_path / "hull.blend")
@@ -436,6 +436,6 @@ def test_settings_survive_saving(tmp_path):
     case = settings.loading.load_cases[0]
     assert (case.name, case.mass_t, case.lcg) == ("ballast", 30.0, 4.0)
     assert tuple(settings.loading.downflooding_points[0].position) == (5.0, 2.0, 3.0)
-    assert (settings.trim, settings.heel, settings.deck_closed) == (-0.25, 0.125, False)
+    assert (settings.trim_m, settings.heel, settings.deck_closed) == (-0.25, 0.125, False)
     assert settings.table.trims == "-1 0"
     assert (settings.plots.sectional_areas, settings.plots.corner) == (True, "TOP_RIGHT")

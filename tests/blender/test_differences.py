@@ -57,7 +57,7 @@ def test_differences_of_boxes():
 
 def test_they_are_those_of_both_hulls_own_panels():
     hull = wider_box()
-    hull.hull.trim = hull.hull.variants.kept[0].trim = 0.2
+    hull.hull.trim_m = hull.hull.variants.kept[0].trim_m = 0.2
     bpy.context.view_layer.update()
     rows = result_of(hull).by["OWN"].rows
     bpy.ops.hull.duplicate_variant()

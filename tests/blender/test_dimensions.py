@@ -80,7 +80,7 @@ def test_samples_reach_their_dimensions_in_one_step(name):
 def test_all_follows_and_is_taken_back_in_one_step():
     hull = load("coaster")
     settings = hull.hull
-    settings.trim = 0.5
+    settings.trim_m = 0.5
     case = settings.loading.load_cases.add()
     case.mass_t, case.lcg, case.tcg, case.vcg = 100.0, 40.0, 0.5, 3.0
     point = settings.loading.downflooding_points.add()
@@ -100,7 +100,7 @@ def test_all_follows_and_is_taken_back_in_one_step():
     assert (case.mass_t, case.lcg, case.tcg, case.vcg) == close((300.0, 80.0, 0.5, 4.5))
     assert tuple(settings.loading.downflooding_points[0].position) == close((20.0, 3.0, 12.0))
     assert (settings.wind.areas[0].area, settings.wind.areas[0].z) == close((90.0, 13.5))
-    assert (settings.trim, settings.lines.frame_spacing) == close((0.75, 1.0))
+    assert (settings.trim_m, settings.lines.frame_spacing) == close((0.75, 1.0))
     assert settings.lines.stations == "2 4:12:4"
     assert settings.studio.boot_top_height == close(0.75)
     kept = part("features.constraints.kept_points").read(bpy.context.object.data)

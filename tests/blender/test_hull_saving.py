@@ -25,7 +25,7 @@ def read(path):
 def loaded_hull():
     hull = add_hull()
     settings = hull.hull
-    settings.draft, settings.trim, settings.heel = 1.1, -0.3, radians(2.5)
+    settings.draft, settings.trim_m, settings.heel = 1.1, -0.3, radians(2.5)
     settings.deck_closed, settings.water_density = False, 1.008
     settings.scheme, settings.source = "catmull_clark", "a test"
     loading = settings.loading
@@ -52,8 +52,8 @@ def loaded_hull():
 def settings_of(hull):
     """All that a hull file keeps, read from the object."""
     settings, loading = hull.hull, hull.hull.loading
-    names = ("length_pp", "beam", "draft", "depth", "water_density", "trim", "heel", "deck_closed",
-             "scheme", "source", "half")  # fmt: skip
+    names = ("length_pp", "beam", "draft", "depth", "water_density", "trim_m", "heel",
+             "deck_closed", "scheme", "source", "half")  # fmt: skip
     loads = (
         "loaded",
         "loaded_case",

@@ -45,7 +45,7 @@ def ship():
     assert bpy.ops.hull.load_sample(name="coaster") == {"FINISHED"}
     hull = bpy.context.object
     settings = hull.hull
-    settings.beam, settings.draft, settings.trim, settings.heel = 13.625, 5.2375, -0.125, 0.21
+    settings.beam, settings.draft, settings.trim_m, settings.heel = 13.625, 5.2375, -0.125, 0.21
     fairness = settings.fairness
     fairness.colours = "GAUSSIAN"
     for name in ("comb_stations", "comb_waterlines", "comb_features", "show_reflections",

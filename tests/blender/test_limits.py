@@ -141,7 +141,7 @@ HYDROSTATICS = [
     ("length_pp", float("nan"), "Lpp"),
     ("beam", -1.0, "Beam"),
     ("draft", float("inf"), "Draft"),
-    ("trim", 1e9, "Trim"),
+    ("trim_m", 1e9, "Trim"),
     ("heel", 100.0, "Heel"),
     ("water_density", 0.0, "Density"),
 ]

@@ -113,6 +113,38 @@ def test_layers_of_before_they_had_names_are_called_as_their_materials(tmp_path)
         ]  # fmt: skip
 
 
+def test_trims_of_before_their_unit_was_named_stay(tmp_path):
+    """Those of the hull, of kept variants and of parents; and what moves with the time."""
+    hull = add_hull()
+    settings, kept = hull.hull, hull.hull.variants.kept.add()
+    settings.morph.parents.add()["trim"] = 0.75
+    settings["trim"], kept["trim"] = 0.5, -0.25
+    kept.loading["flooding_points"] = [{"name": "hatch", "position": (3.0, 1.0, 4.0)}]
+    settings.format = 2
+    hull.animation_data_create().action = bpy.data.actions.new("trims")
+    hull.animation_data.action.fcurves.new("hull.trim").keyframe_points.insert(1.0, 0.5)
+    hull.animation_data.action.fcurves.new("hull.draft").keyframe_points.insert(1.0, 1.0)
+    driver = hull.animation_data.drivers.new("hull.heel").driver
+    driver.type, variable = "AVERAGE", driver.variables.new()
+    variable.targets[0].id, variable.targets[0].data_path = hull, "hull.trim"
+    for _ in range(2):  # what was brought up to date stays as it is, too
+        bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "old.blend"))
+        bpy.ops.wm.open_mainfile(filepath=str(tmp_path / "old.blend"))
+        hull = bpy.context.view_layer.objects.active
+        settings = hull.hull
+        assert settings.format == part("bridge.objects.migration").FORMAT
+        assert (settings.trim_m, settings.variants.kept[0].trim_m) == (0.5, -0.25)
+        assert settings.morph.parents[0].trim_m == 0.75
+        assert not {"trim"} & {*settings.keys(), *settings.variants.kept[0].keys()}
+        (point,) = settings.variants.kept[0].loading.downflooding_points
+        assert (point.name, tuple(point.position)) == ("hatch", (3.0, 1.0, 4.0))
+        paths = [curve.data_path for curve in hull.animation_data.action.fcurves]
+        assert paths == ["hull.trim_m", "hull.draft"]
+        (driven,) = hull.animation_data.drivers
+        assert driven.driver.variables[0].targets[0].data_path == "hull.trim_m"
+        assert settings.heel == pytest.approx(0.5)
+
+
 def test_new_hulls_have_the_stamp_and_newer_ones_are_told_of():
     hull = add_hull()
     assert hull.hull.format == part("bridge.objects.migration").FORMAT

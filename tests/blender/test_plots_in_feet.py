@@ -21,7 +21,7 @@ def coaster():
     hull = sample("coaster")
     hull.hull.resistance.method = "MICHELL"
     hull.hull.resistance.speed_to = 8.0
-    hull.hull.trim = 0.3
+    hull.hull.trim_m = 0.3
     hull.hull.loading.kg = 5.0
     bpy.context.view_layer.update()
     return hull

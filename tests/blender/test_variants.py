@@ -84,7 +84,7 @@ def spoil(hull):
     bmesh.update_edit_mesh(hull.data)
     bpy.ops.object.mode_set(mode="OBJECT")
     settings = hull.hull
-    settings.draft, settings.trim, settings.scheme = 1.0, 0.25, "catmull_clark"
+    settings.draft, settings.trim_m, settings.scheme = 1.0, 0.25, "catmull_clark"
     settings.loading.kg, settings.lines.stations = 5.5, "1 2 3"
     settings.flats.clear()
     hull.data.attributes.remove(hull.data.attributes["hull_flat"])

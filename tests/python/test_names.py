@@ -45,3 +45,13 @@ def test_classes_of_the_page_are_one_class(name):
     if isinstance(getattr(hn, name, None), type) and not homes:
         homes = [getattr(hn, name).__module__]
     assert len(homes) == 1, homes
+
+
+def test_a_trim_in_metres_says_so():
+    """Settings: what is a length has its unit in the name where the name alone is an angle."""
+    for path, tree in trees().items():
+        for node in ast.walk(tree):
+            if isinstance(node, ast.AnnAssign) and isinstance(node.annotation, ast.Call):
+                made_by = getattr(node.annotation.func, "id", "")
+                name = getattr(node.target, "id", "")
+                assert not (name in ("trim", "heel") and made_by == "length"), path

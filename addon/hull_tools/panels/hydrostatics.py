@@ -28,7 +28,7 @@ class HULL_PT_hydrostatics(HullPanel, bpy.types.Panel):
         layout = self.layout
         hull, state = _state(context)
         column = layout.column(align=True)
-        for name in ("draft", "trim", "heel"):
+        for name in ("draft", "trim_m", "heel"):
             column.prop(hull.hull, name)
         layout.prop(hull.hull, "deck_closed")
         if state is None:

@@ -91,7 +91,7 @@ class HullMorphParent(bpy.types.PropertyGroup):
     beam: length("Beam", "Of the parent", minimum=None, update=None)
     draft: length("Draft", "Of the parent", minimum=None, update=None)
     depth: length("Depth", "Of the parent", minimum=None, update=None)
-    trim: length("Trim", "Of the parent", minimum=None, update=None)
+    trim_m: length("Trim", "Of the parent", minimum=None, update=None)
     kg: length("KG", "Of the parent", minimum=None, update=None)
 
     pairs: CollectionProperty(type=HullMorphPair)

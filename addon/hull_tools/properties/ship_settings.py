@@ -92,7 +92,7 @@ class ShipSettings:
         update=changed,
     )
 
-    trim: length(
+    trim_m: length(
         "Trim",
         "Draft at the after perpendicular less that at the forward one: positive by the stern",
         minimum=None,

@@ -8,12 +8,12 @@ opened, or when it is appended or pasted from one.
 Formats: 0: which lines are drawn is kept with the hull, and more of it with the lines plan; lines
 are an object. 1: all of it is in Object.hull.lines, lines are drawn over the view. 2: it is kept
 whether the VCG is a guess. 3: the points of downflooding are called so. 4: layers have names of
-their own, which were those of their materials.
+their own, which were those of their materials. 5: a trim is called trim_m.
 """
 
 import re
 
-FORMAT = 4
+FORMAT = 5
 
 _GUESSED_KG = 0.6  # of the depth: what a hull without VCG was given
 
@@ -69,15 +69,49 @@ def _know_the_guess(settings):
 
 
 def _name_downflooding_points(settings):
-    # What is taken away is freed: it is read before.
-    for old in settings.loading.get("flooding_points", ()):
-        point = settings.loading.downflooding_points.add()
-        point.name = old.get("name", "")
-        point.position = old.get("position", (0.0, 0.0, 0.0))
-    _taken(settings.loading, "flooding_points")
-    active = _taken(settings.loading, "active_flooding_point")
-    if active is not None:
-        settings.loading.active_downflooding_point = active
+    for group in (settings, *settings.variants.kept):
+        loading = group.loading
+        # What is taken away is freed: it is read before.
+        for old in loading.get("flooding_points", ()):
+            point = loading.downflooding_points.add()
+            point.name = old.get("name", "")
+            point.position = old.get("position", (0.0, 0.0, 0.0))
+        _taken(loading, "flooding_points")
+        active = _taken(loading, "active_flooding_point")
+        if active is not None:
+            loading.active_downflooding_point = active
+
+
+def _name_trim_by_its_unit(settings):
+    for group in (settings, *settings.variants.kept, *settings.morph.parents):
+        value = _taken(group, "trim")
+        if value is not None and "trim_m" not in group.keys():
+            group["trim_m"] = value
+    _move_animation(settings.id_data, "hull.trim", "hull.trim_m")
+
+
+def _move_animation(obj, old, new):
+    """Keyframes and drivers of a setting that has another name, and drivers of the object's that
+    read it, go on."""
+    animation = obj.animation_data
+    if animation is None:
+        return
+    actions = [strip.action for track in animation.nla_tracks for strip in track.strips]
+    for action in filter(None, {animation.action, *actions}):
+        # A linked action is another file's.
+        _move_curves(() if action.library else action.fcurves, old, new)
+    _move_curves(animation.drivers, old, new)
+    for curve in animation.drivers:
+        for variable in curve.driver.variables:
+            for target in variable.targets:
+                if target.id == obj and target.data_path == old:
+                    target.data_path = new
+
+
+def _move_curves(curves, old, new):
+    for curve in curves:
+        if curve.data_path == old:
+            curve.data_path = new
 
 
 def _name_layers(settings):
@@ -105,4 +139,10 @@ def _taken(group, name):
 
 
 # From each format to the next.
-_STEPS = (_gather_lines, _know_the_guess, _name_downflooding_points, _name_layers)
+_STEPS = (
+    _gather_lines,
+    _know_the_guess,
+    _name_downflooding_points,
+    _name_layers,
+    _name_trim_by_its_unit,
+)

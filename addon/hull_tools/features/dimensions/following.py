@@ -12,7 +12,7 @@ FOLLOWING = {
     "beam": "y",
     "draft": "at z",
     "depth": "at z",
-    "trim": "z",
+    "trim_m": "z",
     "lines.stations": "stations",
     "lines.frame_spacing": "x",
     "lines.waterline_spacing": "z",

@@ -65,7 +65,7 @@ def afloat(settings, metres_per_unit):
     heel = as_typed_angle(settings.heel)
     return Afloat(
         draft=metres(settings.draft, "Draft", -limits.LONGEST),
-        trim_m=metres(settings.trim, "Trim", -limits.LONGEST),
+        trim_m=metres(settings.trim_m, "Trim", -limits.LONGEST),
         heel=limits.within(heel, "Heel in rad", -limits.GREATEST_HEEL, limits.GREATEST_HEEL),
         length_pp=metres(settings.length_pp, "Lpp", 0.0),
         beam=metres(settings.beam, "Beam", 0.0),

@@ -12,7 +12,7 @@ _CENTRE = ("lcg", "tcg", "vcg")
 
 def give_loading(settings, hull, scale):
     """To an Object.hull without load cases and openings; scale: metres of Blender's unit."""
-    settings.trim = hull.afloat.trim_m / scale
+    settings.trim_m = hull.afloat.trim_m / scale
     settings.heel = radians(hull.afloat.heel_deg)
     settings.deck_closed = hull.afloat.deck_closed
     loading, load = settings.loading, hull.load
@@ -70,7 +70,7 @@ def take_loading(settings, scale):
 
     return {
         "afloat": Afloat(
-            metres(settings.trim), as_typed(degrees(settings.heel)), settings.deck_closed
+            metres(settings.trim_m), as_typed(degrees(settings.heel)), settings.deck_closed
         ),
         "load": Load(
             None if loading.use_displacement else as_stored(loading.mass_t),

@@ -14,7 +14,7 @@ from ...bridge.objects import hull_objects
 from ..hull import hull_state
 
 # What of a parent's settings a member has by the weights; "kg" is of its loading.
-PARTICULARS = ("length_pp", "beam", "draft", "depth", "trim", "kg")
+PARTICULARS = ("length_pp", "beam", "draft", "depth", "trim_m", "kg")
 
 _LOST = (
     'The stored mesh of the parent "{}" is missing or was changed: undo, or make the hull one of '
@@ -92,7 +92,7 @@ def source_key(obj):
 
 
 def particulars_of(obj):
-    """(length_pp, beam, draft, depth, trim, kg) of a hull as they are stored."""
+    """(length_pp, beam, draft, depth, trim_m, kg) of a hull as they are stored."""
     settings = obj.hull
     values = [getattr(settings, name) for name in PARTICULARS[:-1]]
     return (*map(units.as_stored, values), units.as_stored(settings.loading.kg))

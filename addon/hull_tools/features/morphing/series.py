@@ -87,7 +87,7 @@ def _step(obj, t, first, last, own, scale):
     metres = {name: value * scale for name, value in particulars.items()}
     where = own
     if morph.follows_particulars:
-        where = replace(own, draft=metres["draft"], trim_m=metres["trim"],
+        where = replace(own, draft=metres["draft"], trim_m=metres["trim_m"],
                         length_pp=metres["length_pp"], beam=metres["beam"])  # fmt: skip
     return Step(t, mixed, where, metres)
 

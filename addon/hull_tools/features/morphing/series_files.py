@@ -149,7 +149,7 @@ class _HullWriter:
                 data.particulars,
                 **{name: own[name] for name in ("length_pp", "beam", "draft", "depth")},
             ),
-            afloat=replace(data.afloat, trim_m=own["trim"]),
+            afloat=replace(data.afloat, trim_m=own["trim_m"]),
             load=replace(data.load, kg=own["kg"]),
         )
         write_hull_file(member, path)

@@ -11,7 +11,7 @@ SHARED = (
     "draft",
     "depth",
     "water_density",
-    "trim",
+    "trim_m",
     "heel",
     "deck_closed",
     "scheme",
