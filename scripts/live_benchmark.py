@@ -27,7 +27,8 @@ from pathlib import Path
 import bpy
 import numpy as np
 
-sys.path.insert(0, str(Path(__file__).resolve().parent))
+# Blender runs a file without its folder on the path.
+sys.path[:0] = [str(Path(__file__).resolve().parent)]
 import live_changes  # noqa: E402
 import live_hull  # noqa: E402
 from enabled_addon import part  # noqa: E402

@@ -9,7 +9,8 @@ from pathlib import Path
 
 import bpy
 
-sys.path.insert(0, str(Path(__file__).resolve().parent))
+# Blender runs a file without its folder on the path.
+sys.path[:0] = [str(Path(__file__).resolve().parent)]
 
 from enabled_addon import part  # noqa: E402
 from quiet_output import quiet_output  # noqa: E402

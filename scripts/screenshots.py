@@ -14,6 +14,7 @@ import bpy
 
 HERE = Path(__file__).resolve().parent
 TESTS = HERE.parent / "tests"
+# Blender runs a file without its folder on the path.
 sys.path[:0] = [str(HERE), str(TESTS / "window"), str(TESTS / "blender")]
 
 from screenshot_panels import PANELS, panel_scene  # noqa: E402

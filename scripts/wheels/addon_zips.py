@@ -5,16 +5,17 @@ build/package/hull_tools-VERSION-extension.zip is for Blender 4.2 and later: the
 in it as wheels, one for each Python that a Blender has, named in the manifest; Blender unpacks the
 one for its own. hull_tools-VERSION-blender-3.4.zip is for the Blender before, which knows no
 wheels: the module is unpacked in it. All else is as in the zip that scripts/package.py makes.
+
+PYTHONPATH=scripts python3 scripts/wheels/addon_zips.py
 """
 
 import sys
 import zipfile
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
-import package  # noqa: E402
-from build_wheel import DISTRIBUTION, WHEELS, version  # noqa: E402
-from zips import write_zip  # noqa: E402
+import package
+from build_wheel import DISTRIBUTION, WHEELS, version
+from zips import write_zip
 
 MANIFEST = "blender_manifest.toml"
 

@@ -4,6 +4,8 @@
 The wheel has the packages hull_native, hull_io, hull_fairness, hull_fitting and hull_studies, and
 every library they need but the C and C++ runtimes; its tag says the oldest C library that has all
 that is asked for. The same build gives the same bytes.
+
+PYTHONPATH=scripts python3 scripts/wheels/build_wheel.py
 """
 
 import base64
@@ -18,10 +20,8 @@ import tomllib
 from pathlib import Path
 
 import carried
-
-sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
-from package import ROOT, files_below  # noqa: E402
-from zips import write_zip  # noqa: E402
+from package import ROOT, files_below
+from zips import write_zip
 
 NATIVE = ROOT / "build" / "release" / "python" / "hull_native"
 WHEELS = ROOT / "build" / "wheels"

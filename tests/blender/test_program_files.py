@@ -1,23 +1,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Files for FREE!ship, GHS, Archimedes, Michlet and as text, by the operators; chines imported."""
 
-import sys
 
 import bpy
 import numpy as np
 import pytest
-from addon_under_test import LENGTH, ROOT, add_hull, hull_io, mesh_points, part, sample, state_of
+from addon_under_test import LENGTH, add_hull, hull_io, mesh_points, part, sample, state_of
+from chine_boats import carlson, curves
 from edited_hulls import edit, keys, select
-
-sys.path.append(str(ROOT / "tests" / "python" / "io"))
-
-from chine_boats import carlson, curves  # noqa: E402
-from section_file_readers import (  # noqa: E402
-    read_archimedes,
-    read_ghs,
-    read_michlet,
-    read_section_text,
-)
+from section_file_readers import read_archimedes, read_ghs, read_michlet, read_section_text
 
 
 @pytest.fixture

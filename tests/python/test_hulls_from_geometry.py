@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Hulls of triangles: what is found of them, and control meshes laid over them and fitted."""
 
-import importlib.util
 import json
 import os
 import sys
 from pathlib import Path
 from unittest import mock
 
+import hull_from
 import hull_io
 import hull_native as hn
 import numpy as np
@@ -194,17 +194,11 @@ def test_what_is_no_hull_is_refused():
 @pytest.fixture(scope="module")
 def command():
     """What ./hull from does when it is called from a folder with arguments: main of its script."""
-    scripts = ROOT / "scripts"
-    sys.path.insert(0, str(scripts))
-    spec = importlib.util.spec_from_file_location("hull_from", scripts / "hull_from.py")
-    script = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(script)
-    sys.path.remove(str(scripts))
 
     def call(folder, *arguments):
         places = ["--called-from", str(folder), "--into", str(folder / "out")]
         with mock.patch.object(sys, "argv", ["hull_from.py", *places, *arguments]):
-            script.main()
+            hull_from.main()
 
     return call
 

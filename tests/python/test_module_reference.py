@@ -4,17 +4,15 @@
 import inspect
 import shutil
 import subprocess
-import sys
 from pathlib import Path
 
 import hull_native as hn
+import page
 import pytest
+import signatures
+import stubs
 
 ROOT = Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "scripts" / "reference"))
-import page  # noqa: E402
-import signatures  # noqa: E402
-import stubs  # noqa: E402
 
 needs_mypy = pytest.mark.skipif(not shutil.which("mypy"), reason="mypy is not installed")
 

@@ -5,16 +5,14 @@ it."""
 import ctypes
 import re
 import subprocess
-import sys
 import zipfile
 from pathlib import Path
 
+import carried
+import elf_versions
 import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "scripts" / "wheels"))
-import carried  # noqa: E402
-import elf_versions  # noqa: E402
 
 WHEELS = sorted((ROOT / "build" / "wheels").glob("hull_native-*.whl"))
 MOST_BYTES = 60e6

@@ -15,6 +15,7 @@ from pathlib import Path
 import bpy
 
 HERE = Path(__file__).resolve().parent
+# Blender runs a file without its folder on the path.
 sys.path[:0] = [str(HERE), str(HERE.parent / "blender")]
 
 import sidebar  # noqa: E402

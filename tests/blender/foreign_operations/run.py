@@ -18,7 +18,9 @@ from pathlib import Path
 
 import bpy
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+TESTS = Path(__file__).resolve().parents[2]
+# Blender runs a file without its folder on the path.
+sys.path[:0] = [str(TESTS / "blender"), str(TESTS / "window")]
 
 from foreign_operations import oracle  # noqa: E402
 from foreign_operations.session import Session  # noqa: E402

@@ -1,15 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Where operators are called: in the 3D view where there is a window, in no view where not."""
 
-import sys
 from contextlib import nullcontext
-from pathlib import Path
 
 import bpy
-
-sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "window"))
-
-from window import Window  # noqa: E402
+from window import Window
 
 
 def in_view():
