@@ -86,7 +86,7 @@ def _not_kept(data):
         ("the load", _is_given(data.load)),
         ("trim and heel", data.afloat != Afloat()),
         ("weights beside the plating", data.weights.items),
-        ("openings", data.openings),
+        ("openings", data.downflooding_points),
         ("wind areas", data.wind),
         ("settings of the resistance", data.resistance != Resistance()),
         ("targets", data.targets != Targets()),

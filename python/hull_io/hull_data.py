@@ -220,7 +220,7 @@ class HullData:
     load: Load = field(default_factory=Load)
     load_cases: list = field(default_factory=list)
     weights: Weights = field(default_factory=Weights)
-    openings: list = field(default_factory=list)
+    downflooding_points: list = field(default_factory=list)
     wind: object = None
     resistance: Resistance = field(default_factory=Resistance)
     lines: object = None

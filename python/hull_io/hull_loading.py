@@ -24,7 +24,7 @@ from .limits import (
     MAX_LOADING_ENTRIES,
     STRONGEST_WIND,
 )
-from .ship_data import LOADED, Afloat, Load, LoadCase, Opening, Wind, WindArea
+from .ship_data import LOADED, Afloat, DownfloodingPoint, Load, LoadCase, Wind, WindArea
 
 KEYS = ("afloat", "load", "load_cases", "openings", "wind")
 
@@ -35,7 +35,7 @@ def parsed(check, content):
         "afloat": _afloat(check, content.get("afloat", {})),
         "load": _load(check, content.get("load", {})),
         "load_cases": _listed(check, content, "load_cases", _load_case),
-        "openings": _listed(check, content, "openings", _opening),
+        "downflooding_points": _listed(check, content, "openings", _downflooding_point),
         "wind": _wind(check, content["wind"]) if "wind" in content else None,
     }
 
@@ -97,12 +97,12 @@ def _load_case(check, value, where):
     )
 
 
-def _opening(check, value, where):
+def _downflooding_point(check, value, where):
     entries = check.object(value, where, ("name", "position"))
     if "position" not in entries:
         raise check.error(f"{where}.position", "it is missing", "add [x, y, z] in m")
     position = check.list(entries["position"], f"{where}.position", 3)
-    return Opening(
+    return DownfloodingPoint(
         name=check.text(entries.get("name", "Opening"), f"{where}.name"),
         position=tuple(
             check.number(number, f"{where}.position.{axis}", -FURTHEST_POINT, FURTHEST_POINT)
@@ -176,8 +176,8 @@ def entries(data):
             for case in data.load_cases
         ],
         "openings": [
-            {"name": opening.name, "position": [float(part) for part in opening.position]}
-            for opening in data.openings
+            {"name": point.name, "position": [float(part) for part in point.position]}
+            for point in data.downflooding_points
         ],
     }
     if data.wind is not None:

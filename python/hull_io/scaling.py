@@ -63,7 +63,7 @@ FOLLOWING = {
     "weights.items.lcg": "at x",
     "weights.items.tcg": "at y",
     "weights.items.vcg": "at z",
-    "openings.position": "point",
+    "downflooding_points.position": "point",
     "wind.areas.area": "profile",
     "wind.areas.z": "at z",
     "wind.lever": "z",
@@ -115,9 +115,9 @@ STAYING = frozenset(
     developables.keep locked kept.stations kept.buttocks kept.waterlines ties.kind ties.point
     ties.to ties.share groups.name groups.points afloat.heel_deg afloat.deck_closed load.free_trim
     load.kg_is_guess load.loaded load.case
-    load_cases.name openings.name wind.hull_profile wind.areas.name wind.pressure wind.sharp_bilges
-    wind.roll_period lines.shown lines.station_count lines.stations_in lines.planes.name
-    lines.planes.shown targets.rows.quantity targets.rows.value targets.rows.sense
+    load_cases.name downflooding_points.name wind.hull_profile wind.areas.name wind.pressure
+    wind.sharp_bilges wind.roll_period lines.shown lines.station_count lines.stations_in
+    lines.planes.name lines.planes.shown targets.rows.quantity targets.rows.value targets.rows.sense
     targets.rows.tolerance targets.rows.on targets.rows.speed_kn targets.moving targets.staying
     targets.length
     targets.beam targets.draft targets.fairness area_target.source variants units source

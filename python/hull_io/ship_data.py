@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What belongs to a hull as a ship: how she floats, what she carries and weighs, her openings, the
-wind on her, and how her resistance is found. Lengths in m and axes as in hull_data.
+"""What belongs to a hull as a ship: how she floats, what she carries and weighs, where she floods,
+the wind on her, and how her resistance is found. Lengths in m and axes as in hull_data.
 """
 
 from dataclasses import dataclass, field
@@ -77,7 +77,7 @@ class Weights:
 
 
 @dataclass
-class Opening:
+class DownfloodingPoint:
     """The lower edge (x, y, z) in m of an opening that can't be closed, meant on both sides."""
 
     name: str

@@ -118,7 +118,7 @@ def test_what_undo_brings_back_is_compared_with_what_was_before_that():
 
 def test_new_marks_are_told_from_those_of_the_form_before():
     hull = grid_hull(5, 5)
-    form_before().keep(hull, state_of(hull).ship.source.new_surface())
+    form_before().note(hull, state_of(hull).ship.source.new_surface())
     edit(hull)
     place = mesh_points(hull)[at(2, 2, 5)]
     part("bridge.mesh.mesh_points").write(hull.data, [at(2, 2, 5)], [place - (0.0, 0.4, 0.0)])

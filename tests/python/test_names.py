@@ -2,11 +2,13 @@
 """Names in code, as docs/conventions.md has them: a name means one thing."""
 
 import ast
+import dataclasses
 import re
 from collections import defaultdict
 from functools import cache
 from pathlib import Path
 
+import hull_io
 import hull_native as hn
 import pytest
 
@@ -55,3 +57,24 @@ def test_a_trim_in_metres_says_so():
                 made_by = getattr(node.annotation.func, "id", "")
                 name = getattr(node.target, "id", "")
                 assert not (name in ("trim", "heel") and made_by == "length"), path
+
+
+def test_keep_is_for_points_and_variants():
+    """Results and places are stored, or noted."""
+    homes = {
+        path.relative_to(ROOT).as_posix()
+        for path, tree in trees().items()
+        for node in ast.walk(tree)
+        if isinstance(node, ast.FunctionDef) and node.name.strip("_") == "keep"
+    }
+    features = "addon/hull_tools/features"
+    assert homes == {
+        f"{features}/constraints/flat_keeping.py",
+        f"{features}/constraints/keeping.py",
+        f"{features}/variants/kept_hulls.py",
+    }
+
+
+def test_openings_are_no_downflooding_points():
+    names = {field.name for field in dataclasses.fields(hull_io.HullData)}
+    assert "downflooding_points" in names and "openings" not in names

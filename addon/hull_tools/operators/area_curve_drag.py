@@ -52,7 +52,7 @@ class HULL_OT_drag_area_curve(bpy.types.Operator, ViewDrag, HullOperator):
             self._leave(context)
             return {"CANCELLED"}
         if event.type in DONE and event.value == "PRESS":
-            self._drag.keep_frame(None)
+            self._drag.set_frame(None)
             self.points = handles.text_of(self._drag.obj)
             has_changed = self._is_new or self._drag.has_changed
             self._leave(context)
@@ -72,14 +72,14 @@ class HULL_OT_drag_area_curve(bpy.types.Operator, ViewDrag, HullOperator):
                 self._look(context, shown, mouse)
         elif event.type == "LEFTMOUSE" and event.value == "RELEASE" and self._held.is_dragged:
             self._held.is_dragged = False
-            self._drag.keep_frame(None)
+            self._drag.set_frame(None)
         elif event.type == "LEFTMOUSE" and event.value == "PRESS" and shown.has(mouse):
             self._look(context, shown, mouse)
             if event.ctrl and self._held.index is None:
                 self._add(context, shown, mouse)
             if self._held.index is not None:
                 self._held.is_dragged = True
-                self._drag.keep_frame(shown.frame)
+                self._drag.set_frame(shown.frame)
         elif event.type in ("X", "DEL") and event.value == "PRESS":
             self._remove(context)
         elif not self._held.is_dragged:

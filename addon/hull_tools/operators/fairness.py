@@ -74,7 +74,7 @@ class HULL_OT_count_marks(bpy.types.Operator, TaskOperator):
         return seen_marks.Judging(hull, scene, self.compare)
 
     def outcome(self, result, scene):
-        return seen_marks.summary(self._task.keep(scene.objects[self._hull], scene)), False
+        return seen_marks.summary(self._task.note(scene.objects[self._hull], scene)), False
 
 
 class HULL_OT_show_mark(bpy.types.Operator, HullReader):

@@ -50,6 +50,6 @@ def as_new(data, name, length, beam, draft, depth):
     made = scaling.to_dimensions(data, length_pp=length, beam=beam, draft=draft, depth=depth)
     return replace(
         made, name=name, afloat=ship_data.Afloat(), load=ship_data.Load(), load_cases=[],
-        openings=[], wind=None, lines=None, targets=wanted.Targets(), area_target=None, fields=[],
-        variants=[], source="", notes=[],
+        downflooding_points=[], wind=None, lines=None, targets=wanted.Targets(), area_target=None,
+        fields=[], variants=[], source="", notes=[],
     )  # fmt: skip

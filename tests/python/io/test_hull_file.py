@@ -125,8 +125,8 @@ def assert_same(first, second):
     assert first.particulars == second.particulars
     assert first.source == second.source
     for key in ("scheme", "deck_edge", "shown_rows", "flats", "developables", "locked", "kept",
-                "afloat", "load", "load_cases", "openings", "wind", "weights", "resistance",
-                "lines", "targets", "area_target", "fields"):  # fmt: skip
+                "afloat", "load", "load_cases", "downflooding_points", "wind", "weights",
+                "resistance", "lines", "targets", "area_target", "fields"):  # fmt: skip
         assert getattr(first, key) == getattr(second, key), key
     assert len(first.variants) == len(second.variants)
     for one, other in zip(first.variants, second.variants):
@@ -157,7 +157,7 @@ def test_a_file_is_read(read):
         twin_screw=True, shaft_efficiency=0.98, holtrop=hull_io.HoltropInputs(bulb_area=2.0),
         delft=hull_io.DelftInputs(lcb=4.5),
     )  # fmt: skip
-    assert hull.openings == [hull_io.Opening("hatch", (5.0, 1.0, 3.0))]
+    assert hull.downflooding_points == [hull_io.DownfloodingPoint("hatch", (5.0, 1.0, 3.0))]
     areas = [hull_io.WindArea("house", 20.0, 4.5), hull_io.WindArea("Wind area", 5.0)]
     assert hull.wind == hull_io.Wind(False, areas, 3.5, 252.0, 1.5, True, 4.0)
     assert hull.lines == hull_io.LineChoice(
@@ -210,7 +210,7 @@ def test_what_may_be_left_out(read):
     assert hull_io.shell_face_indices(hull) == [0, 1]
     assert hull.scheme == "biermann" and hull.deck_edge == []
     assert hull.afloat == hull_io.Afloat() and hull.load == hull_io.Load()
-    assert hull.load_cases == [] and hull.openings == [] and hull.lines is None
+    assert hull.load_cases == [] and hull.downflooding_points == [] and hull.lines is None
     assert hull.wind is None and read(content(wind={})).wind == hull_io.Wind()
     assert not hull.load.kg_is_guess and read(content(load={"kg_is_guess": True})).load.kg_is_guess
     assert read(content(lines={})).lines == hull_io.LineChoice()
@@ -223,7 +223,7 @@ def test_what_may_be_left_out(read):
     assert hull.load_cases == [hull_io.LoadCase("Load case", 1.0)]
     guessed = read(content(load_cases=[{"mass_t": 1, "vcg_is_guess": True}]))
     assert guessed.load_cases == [hull_io.LoadCase("Load case", 1.0, vcg_is_guess=True)]
-    assert hull.openings == [hull_io.Opening("Opening", (1.0, 2.0, 3.0))]
+    assert hull.downflooding_points == [hull_io.DownfloodingPoint("Opening", (1.0, 2.0, 3.0))]
 
 
 def test_reference_hulls_come_back_bit_for_bit(freeship_files, tmp_path):

@@ -203,10 +203,10 @@ def test_nonsense_is_refused_and_factors_stay_what_they_are():
 def test_places_on_the_hull_follow_the_map():
     data = sample("bulk_carrier")
     now = data.particulars
-    data.openings = [hull_io.Opening("fore", (now.length_pp + 2.0, 1.0, 30.0))]
+    data.downflooding_points = [hull_io.DownfloodingPoint("fore", (now.length_pp + 2.0, 1.0, 30.0))]
     data.lines = hull_io.LineChoice(frame_spacing=0.8)
     made, _ = hull_io.to_dimensions_keeping(data, hn, ("bulb",), length_pp=1.05 * now.length_pp)
-    assert made.openings[0].position[0] == pytest.approx(1.05 * now.length_pp + 2.0)
+    assert made.downflooding_points[0].position[0] == pytest.approx(1.05 * now.length_pp + 2.0)
     assert made.lines.frame_spacing == pytest.approx(0.84)
 
 

@@ -85,7 +85,7 @@ def starboard_hull_file(tmp_path):
     points = [(x, y, z) for x in (0.0, 5.0, 10.0) for y in (0.0, -2.0) for z in (0.0, 3.0)]
     faces = [[2, 6, 7, 3], [6, 10, 11, 7], [0, 4, 6, 2], [4, 8, 10, 6], [4, 5, 7, 6]]
     hull = hull_io.HullData("box", points, faces, half=True)
-    hull.openings = [hull_io.Opening("hatch", (5.0, -1.0, 3.0))]
+    hull.downflooding_points = [hull_io.DownfloodingPoint("hatch", (5.0, -1.0, 3.0))]
     hull.load_cases = [hull_io.LoadCase("list", 10.0, 5.0, -0.1, 1.0)]
     hull.fields = [hull_io.ShapeField("bulge", 1.0, place=(5.0, -2.0, 1.0), shift=(0.0, -0.3, 0.0))]
     hull.particulars.beam = 4.0
@@ -103,7 +103,7 @@ def test_a_hull_file_is_read_as_it_is_or_mended(tmp_path):
     assert mended.points[:, 1].min() == 0.0 and mended.points[:, 1].max() == 2.0
     assert len(mended.points) > 12
     # What lies in space came along; what is the whole ship's did not.
-    assert mended.openings[0].position == (5.0, 1.0, 3.0)
+    assert mended.downflooding_points[0].position == (5.0, 1.0, 3.0)
     assert mended.fields[0].place == (5.0, 2.0, 1.0) and mended.fields[0].shift[1] == 0.3
     assert mended.load_cases == plain.load_cases and mended.particulars == plain.particulars
     again = copy.deepcopy(mended)

@@ -35,7 +35,8 @@ def paths(cls, before=""):
     parts = {
         "layers": hull_io.Layer, "particulars": hull_io.Particulars, "flats": hull_io.Flat,
         "kept": hull_io.Kept, "afloat": hull_io.Afloat, "load": hull_io.Load,
-        "load_cases": hull_io.LoadCase, "openings": hull_io.Opening, "wind": hull_io.Wind,
+        "load_cases": hull_io.LoadCase, "wind": hull_io.Wind,
+        "downflooding_points": hull_io.DownfloodingPoint,
         "areas": hull_io.WindArea, "lines": hull_io.LineChoice, "planes": hull_io.CutPlane,
         "targets": hull_io.Targets, "rows": hull_io.Target, "area_target": hull_io.AreaTarget,
         "weights": hull_io.Weights, "items": hull_io.Weight,
@@ -192,7 +193,7 @@ def test_what_belongs_to_the_hull_follows():
     data.afloat = hull_io.Afloat(0.5, 5.0)
     data.load = hull_io.Load(1000.0, 4.0, 40.0)
     data.load_cases = [hull_io.LoadCase("one", 500.0, 30.0, -0.5, 2.0)]
-    data.openings = [hull_io.Opening("hatch", (10.0, 2.0, 8.0))]
+    data.downflooding_points = [hull_io.DownfloodingPoint("hatch", (10.0, 2.0, 8.0))]
     data.wind = hull_io.Wind(areas=[hull_io.WindArea("house", 50.0, 9.0)], keel_area=8.0)
     data.lines = hull_io.LineChoice(
         waterline_spacing=1.0, buttock_spacing=2.0, frame_spacing=0.6, stations="1 3:9:2",
@@ -203,7 +204,7 @@ def test_what_belongs_to_the_hull_follows():
     assert made.afloat == hull_io.Afloat(2.0, 5.0)
     assert made.load == hull_io.Load(24000.0, 16.0, 80.0)
     assert made.load_cases == [hull_io.LoadCase("one", 12000.0, 60.0, -1.5, 8.0)]
-    assert made.openings[0].position == (20.0, 6.0, 32.0)
+    assert made.downflooding_points[0].position == (20.0, 6.0, 32.0)
     assert made.wind.areas == [hull_io.WindArea("house", 400.0, 36.0)]
     assert (made.wind.keel_area, made.wind.lever, made.wind.pressure) == (64.0, None, 504.0)
     lines = made.lines

@@ -15,19 +15,20 @@ _KIND = "FLOAT_VECTOR", "POINT"
 _START, _SHOWN = "hull_start", "hull_shown_for_a_while"
 
 
-def keep(mesh, points):
-    """Keeps where the points are, (n, 3) float32 in Blender's units; they are shown there still."""
+def store(mesh, points):
+    """Stores where the points are, (n, 3) float32 in Blender's units; they are shown there
+    still."""
     _write(mesh, _START, points)
     set_shown(mesh, points)
 
 
 def read(mesh):
-    """(n, 3) float32 in Blender's units; None where nothing is kept."""
+    """(n, 3) float32 in Blender's units; None where nothing is stored."""
     return _read(mesh, _START)
 
 
 def forget(mesh):
-    """Keeps nothing any longer."""
+    """Stores nothing any longer."""
     for name in (_START, _SHOWN):
         _remove(mesh, name)
 

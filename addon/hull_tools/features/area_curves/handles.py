@@ -99,8 +99,8 @@ class Drag:
         self._was_shown = obj.hull.plots.sectional_areas, obj.hull.area_target.show_target
         obj.hull.plots.sectional_areas = obj.hull.area_target.show_target = True
 
-    def keep_frame(self, frame):
-        """Keeps the axes' ranges, or lets them go with None."""
+    def set_frame(self, frame):
+        """Holds the axes' ranges, or lets them go with None."""
         live = live_target.known(self.obj)
         if live is not None and live.frame != frame:
             live.frame = frame
@@ -123,7 +123,7 @@ class Drag:
 
     def cancel(self):
         """All as before."""
-        self.keep_frame(None)
+        self.set_frame(None)
         pairs = units.all_as_stored(self._before).reshape(-1, 2)
         stored.write_handles(self.obj, pairs)
         settings = self.obj.hull

@@ -76,9 +76,9 @@ class Conversion(jobs.JobTask):
         try:
             converted = self.converted()
         except ValueError as error:
-            _keep(self.state, Outcome(self.key, message=str(error)))
+            _note(self.state, Outcome(self.key, message=str(error)))
             raise
-        _keep(self.state, Outcome(self.key, converted))
+        _note(self.state, Outcome(self.key, converted))
         return converted
 
 
@@ -86,7 +86,7 @@ def _key(state, choice):
     return (state.ship.geometry_key, choice)
 
 
-def _keep(state, outcome):
+def _note(state, outcome):
     known = _recent.get(outcome.key)
     if known is not None and known.converted is outcome.converted:
         return

@@ -131,7 +131,7 @@ def _keep_form(obj, scene):
     """Where it has a surface it is the form before."""
     state = hull_state.refresh(obj, scene)
     if not state.status:
-        form_before.keep(obj, state.ship.source.new_surface())
+        form_before.note(obj, state.ship.source.new_surface())
 
 
 def scale_hull(obj, scene, factors):

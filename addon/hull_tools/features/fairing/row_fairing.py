@@ -129,7 +129,7 @@ def _conditions(points, held, asked, allowed):
     place = {int(point): i for i, point in enumerate(points)}
     rows = []
 
-    def keep(terms):
+    def hold(terms):
         """The sum over (control point, direction) is kept; points of no row do not move."""
         row = np.zeros((count, 3))
         for point, direction in terms:
@@ -140,15 +140,15 @@ def _conditions(points, held, asked, allowed):
 
     for point in {*held.tolist(), *allowed["locked"].tolist()}:
         for axis in np.eye(3):
-            keep([(point, axis)])
+            hold([(point, axis)])
     for point in points if asked.keep_stations else ():
-        keep([(point, (1.0, 0.0, 0.0))])
+        hold([(point, (1.0, 0.0, 0.0))])
     for point, normal in zip(allowed["held_points"], allowed["held_normals"]):
-        keep([(point, normal)])
+        hold([(point, normal)])
     for pair, direction in zip(allowed["tied"], allowed["tied_directions"]):
-        keep([(pair[0], direction), (pair[1], -np.asarray(direction))])
+        hold([(pair[0], direction), (pair[1], -np.asarray(direction))])
     for of_points, directions in allowed["kept"]:
-        keep(zip(of_points, directions))
+        hold(zip(of_points, directions))
     return np.array(rows).reshape(-1, 3 * count)
 
 

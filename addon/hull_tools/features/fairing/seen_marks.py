@@ -102,8 +102,8 @@ class Judging(jobs.JobTask):
         self._job = jobs.Job(lambda progress: _judged(surface, beam, wanted, form, progress))
         conversions.watch(self)
 
-    def keep(self, obj, scene):
-        """Keeps what came of it for panels to show; returns the Report."""
+    def note(self, obj, scene):
+        """Notes what came of it for panels to show; returns the Report."""
         known = self.state.of(Known)
         before = None if known.report is None else known.report.counts
         lines, change = self.result()

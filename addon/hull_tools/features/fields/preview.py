@@ -61,7 +61,7 @@ def begin(obj, scene):
         raise ValueError(_SHARED.format(other.name))
     # A mesh that was taken off its hull while it was previewed knows where its points were.
     if start_points.read(obj.data) is None or not _is_as_shown(obj):
-        start_points.keep(obj.data, hull_mesh.read(obj).data.points)
+        start_points.store(obj.data, hull_mesh.read(obj).data.points)
     _switch_on(obj)
     follow(obj, scene)
 

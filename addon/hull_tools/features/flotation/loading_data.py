@@ -3,7 +3,16 @@
 
 from math import degrees, radians
 
-from ....hull_io.ship_data import Afloat, Load, LoadCase, Opening, Weight, Weights, Wind, WindArea
+from ....hull_io.ship_data import (
+    Afloat,
+    DownfloodingPoint,
+    Load,
+    LoadCase,
+    Weight,
+    Weights,
+    Wind,
+    WindArea,
+)
 from ...bridge.blender.units import as_stored, as_typed
 from . import resistance_data
 
@@ -31,10 +40,10 @@ def give_loading(settings, hull, scale):
             setattr(entry, key, getattr(case, key) / scale)
         entry.with_weights, entry.vcg_is_guess = case.with_weights, case.vcg_is_guess
     _give_weights(settings.weights, hull.weights, scale)
-    for opening in hull.openings:
+    for point in hull.downflooding_points:
         entry = loading.downflooding_points.add()
-        entry.name = opening.name
-        entry.position = [value / scale for value in opening.position]
+        entry.name = point.name
+        entry.position = [value / scale for value in point.position]
     resistance_data.give(settings.resistance, hull.resistance, scale)
     if hull.wind is not None:
         _give_wind(settings.wind, hull.wind, scale)
@@ -90,8 +99,8 @@ def take_loading(settings, scale):
             as_stored(settings.weights.density),
             [Weight(*_named_mass(item, metres)) for item in settings.weights.items],
         ),
-        "openings": [
-            Opening(point.name, tuple(metres(value) for value in point.position))
+        "downflooding_points": [
+            DownfloodingPoint(point.name, tuple(metres(value) for value in point.position))
             for point in loading.downflooding_points
         ],
         "wind": _taken_wind(settings.wind, metres),

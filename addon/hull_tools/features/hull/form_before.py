@@ -33,7 +33,7 @@ class FormsBefore:
     forms: list = field(default_factory=list)
 
 
-def keep(obj, surface, known=None):
+def note(obj, surface, known=None):
     """The form of a hull is about to be changed from a surface of its own. known: the
     hull_fairness.changes.Known of it, where that has been found already."""
     state = hull_state.state_of(obj)

@@ -48,14 +48,14 @@ class HullState:
     scaling: NoticedScale = field(default_factory=NoticedScale)
     lines: LiveLines = field(default_factory=LiveLines)
     fairness: LiveFairness = field(default_factory=LiveFairness)
-    _kept: dict = field(default_factory=dict)
+    _of_subjects: dict = field(default_factory=dict)
 
     def of(self, kind):
-        """What a later subject keeps of this hull: the instance of its dataclass `kind`, empty at
+        """What a later subject knows of this hull: the instance of its dataclass `kind`, empty at
         first."""
-        if kind not in self._kept:
-            self._kept[kind] = kind()
-        return self._kept[kind]
+        if kind not in self._of_subjects:
+            self._of_subjects[kind] = kind()
+        return self._of_subjects[kind]
 
     def checked(self):
         """This; ValueError with the reason when there is no surface of the hull as it is."""

@@ -60,10 +60,10 @@ class Finding(jobs.JobTask):
             limits.within(weight, "A weight that would be needed", *limits.MORPH_WEIGHTS)
         surface = self.state.ship.source.new_surface()
         told, kg = asked.told(obj), rows.kg_of(obj, self._scale)
-        form_before.keep(obj, surface)
+        form_before.note(obj, surface)
         _show(obj, scene, found, np.asarray(reached.scale))
         state = hull_state.follow_edit(obj, scene, is_by_hand=False)
-        return reports.keep(state, reached, reports.rows_reached(told, reached, kg))
+        return reports.note(state, reached, reports.rows_reached(told, reached, kg))
 
 
 def _show(obj, scene, found, factors):

@@ -76,8 +76,8 @@ def _row(told, before, reached, miss, price, kg):
     )
 
 
-def keep(state, reached, rows, held=()):
-    """Keeps the Report of a TargetsReached with its rows in a HullState that is up to date; returns
+def note(state, reached, rows, held=()):
+    """Notes the Report of a TargetsReached with its rows in a HullState that is up to date; returns
     it. held: what else is at its limit, in words."""
     prices = zip(_DIMENSIONS, reached.scale_prices)
     limits = [f"the limit of {name}" for name, price in prices if abs(price) > _NO_PRICE]

@@ -49,13 +49,13 @@ class Solving(jobs.JobTask):
         reached, beam_binds = self.result()
         obj = self._before.checked(scene)
         kg = rows.kg_of(obj, self.scale)
-        form_before.keep(obj, self._surface)
+        form_before.note(obj, self._surface)
         found_rows = reports.rows_reached(asked.told(obj), reached, kg)
         if np.any(np.asarray(reached.scale) != 1.0):
             dimensions.scale_hull(obj, scene, reached.scale)
         mesh_points.write(obj.data, self._ids, (self._points + reached.moves) / self.scale)
         state = hull_state.follow_edit(obj, scene, is_by_hand=False)
-        return reports.keep(state, reached, found_rows, ["the greatest beam"] if beam_binds else [])
+        return reports.note(state, reached, found_rows, ["the greatest beam"] if beam_binds else [])
 
 
 def _check_breadth(obj, surface, wanted, scale):

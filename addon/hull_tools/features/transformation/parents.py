@@ -140,8 +140,8 @@ class Parent:
 
     def write(self, scene, moves, known=None):
         """Moves the hull's control points by moves (n, 3), m; returns the HullState of what it is
-        then. What it was is the form before; known: its marks, see form_before.keep."""
-        form_before.keep(self.obj, self.surface, known)
+        then. What it was is the form before; known: its marks, see form_before.note."""
+        form_before.note(self.obj, self.surface, known)
         return self.moved(scene, moves)
 
     def moved(self, scene, moves):
