@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A row of control points inserted: the surface stays nearly as it is, and so do tags."""
 
+import re
+
 import bpy
 import numpy as np
 import pytest
-from addon_under_test import part, state_of
+from addon_under_test import ROOT, part, state_of
 from edited_hulls import edit, select
 
 
@@ -45,6 +47,73 @@ def test_the_surface_stays_nearly(place):
     assert found.change < min(3e-3, found.cut_change)
     assert found.cut_change < 10e-3 or found.change < 0.05 * found.cut_change
     assert abs(state.hydrostatics.values.displaced_volume - volume) < 0.1
+
+
+def surface_changes(old, volume, hull):
+    """(mm, m³) by how much a hull's surface and displacement are others than a surface of before
+    and its volume."""
+    state = state_of(hull)
+    tree = part("bridge.native").require().SurfaceTree(old)
+    distances = tree.closest_points(state.ship.surface.tessellate(7).points).distances
+    changed = state.hydrostatics.values.displaced_volume - volume
+    return 1e3 * distances.max(), abs(changed)
+
+
+def new_rows(edge):
+    """What a row across an edge changes on the new hull of the docs, (mm, m³): by Insert Row, and
+    by Blender's loop cut."""
+    for is_cut in (False, True):
+        assert bpy.ops.hull.add_hull() == {"FINISHED"}
+        hull = bpy.context.view_layer.objects.active
+        old = state_of(hull).ship.source.new_surface()
+        volume = state_of(hull).hydrostatics.values.displaced_volume
+        if not is_cut:
+            insert(hull, edge)
+        else:
+            edit(hull, (False, True, False))
+            select(hull, "edge", [edge])
+            bpy.ops.mesh.loop_multi_select(ring=True)
+            bpy.ops.mesh.subdivide_edgering(number_cuts=1, interpolation="LINEAR", smoothness=0.0)
+            bpy.ops.object.mode_set(mode="OBJECT")
+            bpy.context.view_layer.update()
+        yield surface_changes(old, volume, hull)
+
+
+def test_the_docs_tell_what_rows_change():
+    text = " ".join((ROOT / "docs/first-hull.md").read_text(encoding="utf-8").split())
+    most = float(re.search(r"but for at most (\d+) mm that the message tells", text).group(1))
+    quoted = re.search(
+        r"by ([\d.]+) mm and ([\d.]+) m³ at x = (\d+) m, where \*Insert Row\* changes it by "
+        r"([\d.]+) mm and ([\d.]+) m³, and by ([\d.]+) mm at x = (\d+) m, where that changes it by "
+        r"([\d.]+) mm",
+        text,
+    )
+    cut, cut_volume, x, row, row_volume, worst_cut, worst_x, worst_row = map(float, quoted.groups())
+    bpy.ops.hull.add_hull()
+    hull = bpy.context.view_layer.objects.active
+    assert hull.hull.length_pp == 80.0
+    for at, numbers in ((x, (row, row_volume, cut, cut_volume)), (worst_x, (worst_row, worst_cut))):
+        (inserted, by_row), (looped, by_cut) = new_rows(edge_at(hull, (at, 1.0, 0.5)))
+        found = (inserted, by_row, looped, by_cut) if at == x else (inserted, looped)
+        for value, told in zip(found, numbers):
+            assert told == pytest.approx(value, rel=0.03, abs=2e-3)
+    rows = {}
+    points = part("bridge.mesh.mesh_points").read(hull.data)
+    for edge in hull.data.edges:
+        ends = points[list(edge.vertices)]
+        if abs(ends[0, 0] - ends[1, 0]) > 1.0 and (ends[:, 1] > 0.5).all():
+            rows.setdefault(round(float(ends[:, 0].mean()) / 3.0), list(edge.vertices))
+    assert len(rows) >= 12
+    for edge in rows.values():
+        inserted, _ = next(new_rows(edge))
+        assert inserted <= most and inserted < worst_row + 0.05
+
+
+def test_the_docs_send_nobody_to_ctrl_r_without_a_warning():
+    for path in sorted((ROOT / "docs").rglob("*.md")):
+        for paragraph in path.read_text(encoding="utf-8").split("\n\n"):
+            if re.search(r"Ctrl R\b", paragraph):
+                assert "Insert Row" in paragraph, f"{path.name}: {paragraph}"
 
 
 def test_rows_may_cross():
