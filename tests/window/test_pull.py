@@ -164,3 +164,62 @@ def test_in_object_mode_and_with_ctrl_on_the_surface(window):
     window.undo()
     yield
     assert are_equal(snapshot(hull_at_hand()), before)
+
+
+def turn(window, key, times):
+    """Turns the wheel, or presses a page key, step by step."""
+    for _ in range(times):
+        window.hold(key)
+    if key.startswith("PAGE"):
+        window.let_go(key)
+
+
+def test_the_wheel_and_page_keys_change_the_radius(window):
+    hull, grip = begin(window, "feature")
+    before = edited_points(hull)
+    yield
+    start_pulling(window)
+    window.move_to_point(hull, Vector(grip.point))
+    yield
+    pull = part("features.modelling.pulling").SurfacePull(hull, bpy.context.scene)
+    least = pull.smallest_radius(pull.nearest(held(hull).now))
+    window.click()
+    window.move_by(6, 12)
+    yield
+    target = held(hull).now
+    assert held(hull).radius == 0.0 and "Radius" not in held(hull).text
+    narrow = edited_points(hull)
+    steps, counts = 0, [moved(before, narrow)]
+    for key, times in (("WHEELDOWNMOUSE", 1), ("WHEELDOWNMOUSE", 6), ("PAGE_UP", 1)):
+        turn(window, key, times)
+        yield
+        steps += times
+        assert abs(held(hull).radius / (least * 1.1 ** (steps - 1)) - 1.0) < 1e-4
+        assert f"Radius {held(hull).radius:.3f} m" in held(hull).text
+        assert held(hull).now == target
+        counts.append(moved(before, edited_points(hull)))
+        assert_follows(hull)
+    assert counts[0] <= counts[1] < counts[2] <= counts[3]
+    for key, times in (("WHEELUPMOUSE", 2), ("PAGE_DOWN", 1), ("WHEELUPMOUSE", 4)):
+        turn(window, key, times)
+        yield
+        steps -= times
+        assert abs(held(hull).radius / (least * 1.1 ** (steps - 1)) - 1.0) < 1e-3
+    # Below the least one there is none, and none less.
+    for key in ("WHEELUPMOUSE", "WHEELUPMOUSE", "PAGE_DOWN"):
+        turn(window, key, 1)
+        yield
+        assert held(hull).radius == 0.0 and "Radius" not in held(hull).text
+        assert np.allclose(edited_points(hull), narrow, atol=1e-6)
+    turn(window, "PAGE_UP", 1)
+    yield
+    assert abs(held(hull).radius / least - 1.0) < 1e-4
+    window.press("ESC")
+    yield
+    assert np.array_equal(edited_points(hull), before)
+    assert held(hull) is None
+
+
+def moved(before, after):
+    """How many points are elsewhere."""
+    return int((np.abs(after - before).max(axis=1) > 1e-6).sum())
