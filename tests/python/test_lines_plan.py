@@ -11,6 +11,7 @@ import hull_io
 import hull_native as hn
 import numpy as np
 import pytest
+from dxf_audit import assert_audited
 
 ROOT = Path(__file__).resolve().parents[2]
 SAMPLES = ("barge", "coaster")
@@ -64,11 +65,8 @@ def draw(hull, path, **others):
 
 
 def dxf_of(hull, folder, **others):
-    ezdxf = pytest.importorskip("ezdxf")
-    document = ezdxf.readfile(draw(hull, folder / "plan.dxf", **others))
-    audit = document.audit()
-    assert [(found.code, found.message) for found in audit.errors + audit.fixes] == []
-    return document
+    pytest.importorskip("ezdxf")
+    return assert_audited(draw(hull, folder / "plan.dxf", **others))
 
 
 def test_dxf_has_a_layer_for_each_kind_and_says_its_unit(hull, tmp_path):

@@ -11,6 +11,7 @@ import hull_io
 import hull_native as hn
 import numpy as np
 import pytest
+from dxf_audit import assert_audited
 from production_hulls import SAMPLES, body_of, odd_sides
 from test_closed_models import CUBE, CUBE_TRIANGLES
 
@@ -158,6 +159,7 @@ def test_curves_in_space(tmp_path):
     curves += [("FEATURES", one.knots, one.control_points) for one in features]
     path = tmp_path / "lines.dxf"
     hn.write_curves_dxf(curves, path, unit="mm")
+    assert_audited(path)
     rows = path.read_text().splitlines()
     pairs = list(zip(map(int, map(str.strip, rows[::2])), rows[1::2]))
     at = [k for k, (code, value) in enumerate(pairs) if code == 0 and value.strip() == "SPLINE"]

@@ -7,6 +7,7 @@ import os
 import hull_native as hn
 import numpy as np
 import pytest
+from dxf_audit import assert_audited
 from hull_io.plating_data import FrameRange, Plating
 from plate_hulls import cylinder, one
 from production_hulls import hemisphere
@@ -162,6 +163,7 @@ def test_drawings_are_written_whole_or_not_at_all(tmp_path):
         path = tmp_path / f"plate.{ending}"
         drawing.write(path, paper="A0")
         assert path.stat().st_size > 1000
+    assert_audited(tmp_path / "plate.dxf")
     # At true size, in mm.
     numbers = (tmp_path / "plate.dxf").read_text().splitlines()
     x = [float(numbers[i + 1]) for i in range(len(numbers) - 1) if numbers[i].strip() == "10"]
@@ -179,6 +181,7 @@ def test_drawings_are_written_whole_or_not_at_all(tmp_path):
         hn.ShopDrawing("none").write(tmp_path / "none.pdf")
     hn.write_plates([listed], tmp_path / "all.pdf", marks=marks)
     hn.write_plates([listed], tmp_path / "all.dxf")
+    assert_audited(tmp_path / "all.dxf")
     with pytest.raises(ValueError, match="developed"):
         hn.stretch_drawing(listed)
     assert sorted(os.listdir(tmp_path)) == [

@@ -9,6 +9,7 @@ import zlib
 import hull_native as hn
 import numpy as np
 import pytest
+from dxf_audit import assert_audited
 from plate_hulls import cylinder, grid_surface, one, sphere, through
 
 RADIUS, LENGTH = 2.0, 6.0
@@ -50,7 +51,12 @@ def listed_of(surface, seams=()):
     return hn.plate_list(hn.plates(surface, list(seams)), thickness=0.01)
 
 
-def test_a_template_is_as_long_as_the_section():
+def assert_dxf_audited(drawing, folder):
+    drawing.write(folder / "audited.dxf")
+    assert_audited(folder / "audited.dxf")
+
+
+def test_a_template_is_as_long_as_the_section(tmp_path):
     """To 1e-9, and as the circle's arc R 2π/3; the bow of the arc above its chord is R (1 - cos
     60°), but for the ends."""
     surface = round_bilge()
@@ -58,6 +64,7 @@ def test_a_template_is_as_long_as_the_section():
     (listed,) = listed_of(surface)
     templates = hn.plate_templates(listed, curves, marks, height=0.3)
     drawing = hn.template_drawing(listed, templates)
+    assert_dxf_audited(drawing, tmp_path)
     (outline,) = on_layer(drawing, "OUTLINE")
     # Base line, two upright ends, and the plate between them.
     edge = outline[1:-2]
@@ -87,7 +94,7 @@ def test_templates_stand_above_one_another():
 
 
 @pytest.mark.parametrize("thickness", [0.0, 0.02])
-def test_a_frame_s_drawing(thickness):
+def test_a_frame_s_drawing(thickness, tmp_path):
     """Circles of R and R - t about (0, R), on both sides."""
     surface = round_bilge()
     drawing = hn.frame_drawing(
@@ -95,6 +102,7 @@ def test_a_frame_s_drawing(thickness):
         marks=hn.HullCurves(surface, 1e-5).in_plane(hn.plane_across("z", 0.5), "Seam"),
         tolerance=1e-6,
     )  # fmt: skip
+    assert_dxf_audited(drawing, tmp_path)
     outlines = on_layer(drawing, "OUTLINE")
     assert len(outlines) == 2
     for line in outlines:
@@ -113,7 +121,7 @@ def test_a_frame_s_drawing(thickness):
     assert crosses[:, 1] == pytest.approx(np.full(4, 0.5), abs=1e-4)
 
 
-def test_nested_plates_lie_apart_on_their_sheet():
+def test_nested_plates_lie_apart_on_their_sheet(tmp_path):
     surface = cylinder()
     curves = hn.HullCurves(surface, 1e-4)
     butts = [one(curves.in_plane(hn.plane_across("x", x), f"B{x:g}")) for x in (1.0, 2.5, 4.5)]
@@ -123,6 +131,7 @@ def test_nested_plates_lie_apart_on_their_sheet():
     used = hn.nesting(listed, [(6.0, 3.0)], margin=margin)
     for k, stock in enumerate(used):
         drawing = hn.nesting_drawing(stock, f"S{k + 1}")
+        assert_dxf_audited(drawing, tmp_path)
         (sheet,) = on_layer(drawing, "BASE")
         assert np.ptp(sheet, axis=0) == pytest.approx([stock.length, stock.breadth])
         lines, boxes = iter(on_layer(drawing, "OUTLINE")), []
@@ -162,6 +171,7 @@ def test_all_plates_in_one_file(tmp_path):
         surface, [one(curves.in_plane(hn.plane_across("x", x), f"B{x:g}")) for x in (1, 2, 3, 4, 5)]
     )
     hn.write_plates(listed, tmp_path / "all.dxf")
+    assert_audited(tmp_path / "all.dxf")
     found = texts_of(tmp_path / "all.dxf")
     places = np.array([found[p.name][0] for p in listed])
     columns = np.unique(np.round(places[:, 0] / 1000.0))
@@ -175,7 +185,7 @@ def test_all_plates_in_one_file(tmp_path):
         hn.plate_drawing(listed[0], words=math.nan)
 
 
-def test_lines_of_equal_stretch_of_a_cap_are_circles():
+def test_lines_of_equal_stretch_of_a_cap_are_circles(tmp_path):
     """About its middle, where the flat disc is as the sphere is symmetric."""
     surface = sphere(parts=16)
     seam = hn.HullCurves(surface, 1e-5).in_plane(
@@ -184,6 +194,7 @@ def test_lines_of_equal_stretch_of_a_cap_are_circles():
     cap = min(hn.plates(surface, seam, size=0.3), key=lambda p: p.area)
     (listed,) = hn.plate_list([cap], thickness=0.01)
     drawing = hn.stretch_drawing(listed)
+    assert_dxf_audited(drawing, tmp_path)
     rim = np.concatenate(on_layer(drawing, "OUTLINE"))
     middle = 0.5 * (rim.min(axis=0) + rim.max(axis=0))
     radius = np.linalg.norm(rim - middle, axis=1).mean()
@@ -277,6 +288,7 @@ def test_sheets_abut(tmp_path):
 
 def test_dxf_is_at_true_size(tmp_path):
     triangle_drawing().write(tmp_path / "t.dxf", scale=0.5)
+    assert_audited(tmp_path / "t.dxf")
     rows = [row.strip() for row in (tmp_path / "t.dxf").read_text().splitlines()]
     begin = rows.index("ENTITIES")
     x = [float(rows[k + 1]) for k in range(begin, len(rows) - 1) if rows[k] == "10"]

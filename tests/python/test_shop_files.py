@@ -9,6 +9,7 @@ import signal
 import hull_native as hn
 import numpy as np
 import pytest
+from dxf_audit import assert_audited
 from plate_hulls import cylinder, one
 
 
@@ -36,6 +37,7 @@ def test_all_in_one_file(tmp_path):
     (path,) = hn.write_shop_drawings(drawings, tmp_path / "all.pdf")
     assert path == tmp_path / "all.pdf" and path.stat().st_size > 1000
     hn.write_shop_drawings(drawings, tmp_path / "all.dxf")
+    assert_audited(tmp_path / "all.dxf")
     points = dxf_points(tmp_path / "all.dxf")
     points = points[(np.abs(points) > 0.0).any(axis=1)]
     # Two above one another, the third in a column of its own, with half a metre between them.
@@ -51,6 +53,7 @@ def test_a_file_each_at_true_size(tmp_path):
             f"shell-{word}.{ending}" for word in ("P1", "P2-P-S", "-3")
         ]
     for side, word in ((500.0, "P1"), (700.0, "P2-P-S")):
+        assert_audited(tmp_path / f"shell-{word}.dxf")
         points = dxf_points(tmp_path / f"shell-{word}.dxf")
         assert points[:, 0].max() - 100.0 == pytest.approx(side)
     assert len(os.listdir(tmp_path)) == 9

@@ -6,6 +6,7 @@ import math
 import hull_native as hn
 import numpy as np
 import pytest
+from dxf_audit import assert_audited
 from production_hulls import body_of, hemisphere
 
 
@@ -111,6 +112,7 @@ def test_views_are_written_and_refused(tmp_path):
         path = tmp_path / f"view.{ending}"
         drawing.write(path, scale=0.005)
         assert path.stat().st_size > 2000
+    assert_audited(path)
     for options, words in (
         ({"axes": np.eye(3)[:2]}, "three unit vectors"),
         ({"axes": hn.view_axes(0.0, 0.0), "distance": 10.0}, "larger distance"),
