@@ -86,7 +86,7 @@ def test_patches_of_a_samples_lines_give_it_back(name):
 
 # Stations and waterlines. Three ships take a minute.
 _SPREAD = {"coaster": (9, 4), "container_ship": (19, 9), "bulk_carrier": (19, 9)}
-_WRITTEN = ["coaster"] + ["container_ship", "bulk_carrier"] * ("HULL_LONG" in os.environ)
+_WRITTEN = ["coaster"] + ["container_ship", "bulk_carrier"] * ("HULL_LONG_NETWORKS" in os.environ)
 
 
 @pytest.mark.parametrize("name", _WRITTEN)
