@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What is expected of a hull at any moment: all that is shown is of the mesh as it is now."""
 
+import bpy
 import numpy as np
 from addon_under_test import mesh_points, part, shown_points, state_of
+from mathutils import Vector
 
 
 def edited_points(hull):
@@ -84,3 +86,20 @@ def are_equal(one, other):
         one[name].shape == other[name].shape and np.allclose(one[name], other[name], 0.0, 1e-6)
         for name in one
     )
+
+
+def assert_framed(hull):
+    """That the 3D view shows all of a hull, large, and that the eye is not in it."""
+    screen = bpy.context.window_manager.windows[0].screen
+    area = next(area for area in screen.areas if area.type == "VIEW_3D")
+    view = area.spaces.active.region_3d
+    eye = view.view_matrix.inverted().translation
+    corners = [hull.matrix_world @ Vector(corner) for corner in hull.bound_box]
+    low, high = (Vector(f(c[i] for c in corners) for i in range(3)) for f in (min, max))
+    assert not all(low[i] < eye[i] < high[i] for i in range(3))
+    places = []
+    for corner in corners:
+        x, y, z, w = view.perspective_matrix @ Vector((*corner, 1.0))
+        assert w > 0.0 and abs(x) <= 1.05 * w and abs(y) <= 1.05 * w
+        places.append((x / w, y / w))
+    assert max(np.ptp(places, axis=0)) > 0.5

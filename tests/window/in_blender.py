@@ -16,7 +16,7 @@ import bpy
 
 HERE = Path(__file__).resolve().parent
 # Blender runs a file without its folder on the path.
-sys.path[:0] = [str(HERE), str(HERE.parent / "blender")]
+sys.path[:0] = [str(HERE), str(HERE.parent / "blender"), str(HERE.parent / "python" / "io")]
 
 import sidebar  # noqa: E402
 from stepping import Stepper  # noqa: E402

@@ -4,6 +4,7 @@
 import bpy
 import sidebar
 from addon_under_test import part
+from expect import assert_framed
 from scans import lay_scan
 
 
@@ -32,6 +33,7 @@ def test_a_mesh_is_made_a_hull_and_that_is_taken_back(window):
         hull = made()
         assert bpy.context.view_layer.objects.active == hull
         report, is_current = part("features.geometry.making").last_report(hull)
+        assert_framed(hull)
         assert is_current and report.told["distances"]["rms"] < 5e-4 * hull.dimensions.x
         window.move_to_middle()
         window.undo()
