@@ -136,7 +136,7 @@ class HULL_OT_shift_sections(bpy.types.Operator, Displacement, HullOperator):
         options=_SKIP,
     )
     parallel_length: asked_length(
-        "Its length", "Of the parallel middle body, as wanted", minimum=0.0
+        "Parallel length", "Of the parallel middle body, as wanted", minimum=0.0
     )
 
     def present(self, hull, scene):
