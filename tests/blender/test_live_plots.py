@@ -191,3 +191,30 @@ def test_what_was_asked_for_is_computed_and_shown():
     outcome, is_current = live.latest(hull, scene, "cross_curves")
     assert outcome.result is not None and is_current
     assert len(shown()) == 1
+
+
+def test_plots_have_the_size_that_is_set():
+    hull = with_plot()
+    for size in (0.6, 0.75, 2.0):
+        hull.hull.plots.size = size
+        bpy.context.view_layer.update()
+        (card,) = shown()
+        assert card.width_mm == pytest.approx(size * 125.0, rel=1e-6)
+        assert card.height_mm == pytest.approx(size * 88.0, rel=1e-6)
+
+
+def test_two_plots_leave_most_of_a_usual_view_free():
+    hull = with_plot()
+    hull.hull.plots.righting_levers = True
+    part("features.analyses").outcome_of(hull, bpy.context.scene, "righting_levers")
+    hull.update_tag()
+    bpy.context.view_layer.update()
+    overlay, preferences = part("overlays.plots"), part("bridge.blender.preferences")
+    dots = overlay.DOTS_PER_MM * preferences.DEFAULTS["plot_size"]
+    sizes = [(card.width_mm * dots, card.height_mm * dots) for card in shown()]
+    assert len(sizes) == 2
+    # The 3D view of a window of 1920 × 1080, with sidebar, outliner and properties beside it.
+    room = (40.0, 0.0, 1200.0, 900.0)
+    places, factor = overlay.card_places(sizes, "BOTTOM_LEFT", room, overlay._GAP)
+    assert factor == 1.0 and len(places) == 2
+    assert sum(width * height for width, height in sizes) < 0.25 * room[2] * room[3]
