@@ -7,10 +7,7 @@ the deck edge stay in those of tagged edges, too.
 
 import weakref
 
-<<<<<<< HEAD
-=======
 import bmesh
->>>>>>> 89d4bbf7 (The control net has its own colour in edit mode, too, where it is neither selected nor tagged)
 import gpu
 import numpy as np
 
@@ -21,12 +18,9 @@ from .lines import batch_of_strokes
 from .view import Handler, hulls_in_view
 
 _WIDTH = 1.6  # dots: a little wider than Blender's own line, which it hides
-<<<<<<< HEAD
-_batches = weakref.WeakKeyDictionary()  # by HullState: (key of its geometry, GPUBatch)
-=======
-_batches = {}  # by the hull's name: (key of what is drawn, (GPUBatch of lines, of points))
+# By HullState: (key of what is drawn, (GPUBatch of lines, of points)).
+_batches = weakref.WeakKeyDictionary()
 _untagged = weakref.WeakKeyDictionary()  # by features.hull.tags.Tags: edges (k, 2)
->>>>>>> 89d4bbf7 (The control net has its own colour in edit mode, too, where it is neither selected nor tagged)
 
 
 def edges_of(mesh):
@@ -75,18 +69,6 @@ def _draw():
         gpu.state.depth_test_set("NONE" if shown.hull.show_in_front else "LESS_EQUAL")
         with gpu.matrix.push_pop():
             gpu.matrix.load_matrix(shown.to_view())
-<<<<<<< HEAD
-            _batch_of(shown.state, shader).draw(shader)
-        gpu.state.depth_test_set("NONE")
-
-
-def _batch_of(state, shader):
-    key = state.ship.geometry_key
-    known = _batches.get(state)
-    if known is None or known[0] != key:
-        known = key, batch_of_strokes(net_of(state.ship.surface.mesh), shader)
-        _batches[state] = known
-=======
             if lines is not None:
                 _draw_lines(shown, lines)
                 _draw_points(shown, points)
@@ -135,17 +117,16 @@ def _drawn(shown):
 
 def _batches_of(shown, key, edges):
     """(lines, points), both None where there are none."""
-    state, name = shown.state, shown.hull.name
+    state = shown.state
     key = key, state.ship.geometry_key
-    known = _batches.get(name)
+    known = _batches.get(state)
     if known is None or known[0] != key:
         points, segments = state.ship.surface.mesh.points.astype(np.float32), edges()
         strokes = line_arrays.Strokes(points, segments.astype(np.int32))
         shader = blender_versions.builtin_shader("POLYLINE_UNIFORM_COLOR")
         lines, ends = batch_of_strokes(strokes, shader), points[np.unique(segments)]
         known = key, (lines, lines and buffers.batch(_point_shader(), "POINTS", pos=ends))
-        _batches[name] = known
->>>>>>> 89d4bbf7 (The control net has its own colour in edit mode, too, where it is neither selected nor tagged)
+        _batches[state] = known
     return known[1]
 
 
