@@ -44,8 +44,8 @@ void bind_form_numbers(py::module_& module) {
       "Hydrostatics (FORM_NUMBERS: \"lcb\", \"project.block\", \"midship_section.area\", …), and "
       "their derivatives by the control points, water and project dimensions staying as they "
       "are. Only what is asked for is computed. Extents have the derivatives of the point that is "
-      "farthest. They are of the body as it is when made: make them anew after "
-      "HullBody.update().")
+      "farthest. They are of the body as it is when made: after surface.set_points(), "
+      "HullBody.update() and join() whatever is asked raises ValueError; make them anew.")
       .def(py::init([](const analysis::BodyDerivatives& derivatives, double draft, double trim,
                        std::optional<double> draft_at, std::optional<double> length_pp,
                        std::optional<double> beam, std::optional<double> design_draft,
@@ -61,7 +61,7 @@ void bind_form_numbers(py::module_& module) {
            py::arg("draft_at") = py::none(), py::arg("length_pp") = py::none(),
            py::arg("beam") = py::none(), py::arg("design_draft") = py::none(),
            py::arg("water_density") = analysis::kSeaWaterDensity, py::keep_alive<1, 2>(),
-           "As hydrostatics() has them. ValueError as there.")
+           "As hydrostatics() has them. ValueError as there, also for a body that is out of date.")
       .def(
           "value",
           [](FormNumbers& numbers, const std::string& name) {

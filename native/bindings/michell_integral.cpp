@@ -41,8 +41,9 @@ void bind_michell_integral(py::module_& module) {
       "Michell's integral for the wave resistance of a thin ship over the exact wetted shell of a "
       "HullBody, upright: source strengths are the shell's slopes along the ship, put into the "
       "centre plane. Behind an open transom the water is taken to leave straight. Viscosity, "
-      "sinkage and trim by the waves are left out. It is of the body as it is when made: make it "
-      "anew after HullBody.update().")
+      "sinkage and trim by the waves are left out. It is of the body as it is when made: after "
+      "surface.set_points(), HullBody.update() and join() whatever is asked raises ValueError; "
+      "make it anew.")
       .def(py::init([](const analysis::HullBody& body, double draft, double trim, double draft_at,
                        double water_density, double gravity, double tolerance) {
              const py::gil_scoped_release release;
@@ -93,7 +94,8 @@ void bind_michell_integral(py::module_& module) {
           },
           py::arg("derivatives"), py::arg("speed"),
           "(n, 3) kN/m: derivatives of the resistance at a speed by the n control points, the "
-          "water staying as it is. derivatives: BodyDerivatives of the same body.")
+          "water staying as it is. derivatives: BodyDerivatives of the same HullBody, "
+          "otherwise ValueError.")
       .def(
           "amplitudes",
           [](const MichellIntegral& integral, double speed, const DoubleArray& directions) {

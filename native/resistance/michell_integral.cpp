@@ -108,7 +108,11 @@ class SpreadingDerivatives : public ShellVisitor {
 MichellIntegral::MichellIntegral(const analysis::HullBody& body,
                                  const analysis::FloatingPosition& position, double water_density,
                                  double gravity, double tolerance)
-    : body_(&body), density_(water_density), gravity_(gravity), tolerance_(tolerance) {
+    : body_(&body),
+      stamp_(body),
+      density_(water_density),
+      gravity_(gravity),
+      tolerance_(tolerance) {
   analysis::check_hydrostatics(position, {}, water_density);
   require_positive(gravity, "gravity");
   require_positive(tolerance, "tolerance");
@@ -170,6 +174,7 @@ SourceGrid MichellIntegral::sources(const WaveScales& scales) const {
 }
 
 std::vector<WaveResistance> MichellIntegral::resistance(const std::vector<double>& speeds) const {
+  require_current();
   std::vector<WaveRange> ranges;
   for (double speed : speeds) ranges.push_back({wave_number(speed), kFirstShortest});
   std::vector<WaveResistance> results(speeds.size());
@@ -223,6 +228,11 @@ analysis::Gradient MichellIntegral::gradient(const analysis::BodyDerivatives& de
 analysis::Gradient MichellIntegral::gradient_to(const analysis::BodyDerivatives& derivatives,
                                                 double speed, double shortest) const {
   const double nu = wave_number(speed);
+  if (&derivatives.body() != body_) {
+    throw std::invalid_argument(
+        "The derivatives are another body's: give those of the body that Michell's integral is "
+        "of.");
+  }
   const WaveScales scales = scales_for({{nu, shortest * kRounded}});
   SourceGrid grid = sources(scales);
   take_derivatives(WaveSums(grid).integral(nu, 0.0, shortest * kRounded), grid);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "analysis/derivatives/body_derivatives.h"
+#include "analysis/immersion/body_stamp.h"
 #include "analysis/immersion/floating_position.h"
 #include "analysis/immersion/hull_body.h"
 #include "analysis/immersion/sea_water.h"
@@ -41,7 +42,8 @@ struct WaveResistance {
 // Queries are thread-safe.
 class MichellIntegral {
  public:
-  // `body` must outlive it and stay as it is. Throws std::invalid_argument for numbers that are not
+  // `body` must outlive it; once its surface's points were set, or it was updated or joined to
+  // others, all queries throw std::invalid_argument. So does this for numbers that are not
   // finite, a heel, a density, gravity or tolerance that is not positive, for what
   // HullBody::immersion() refuses, and for a hull that is out of the water or, as a catamaran's,
   // wholly beside the centre plane.
@@ -61,7 +63,7 @@ class MichellIntegral {
 
   // Derivatives of the resistance by the control points, kN/m, the water and the shortest wave
   // staying as they are: that at which resistance() ends, or that of resistance_to().
-  // `derivatives`: of the body. Of a mirrored body both sides count.
+  // `derivatives`: of the body, otherwise throws. Of a mirrored body both sides count.
   analysis::Gradient gradient(const analysis::BodyDerivatives& derivatives, double speed) const;
   analysis::Gradient gradient_to(const analysis::BodyDerivatives& derivatives, double speed,
                                  double shortest) const;
@@ -73,9 +75,14 @@ class MichellIntegral {
   std::vector<std::complex<double>> amplitudes(double speed,
                                                const std::vector<double>& directions) const;
 
-  double length() const { return forward_ - aft_; }  // m, of the control mesh
+  // m, of the control mesh.
+  double length() const {
+    require_current();
+    return forward_ - aft_;
+  }
 
  private:
+  void require_current() const { stamp_.require_current("Michell's integral"); }
   // ν, checked.
   double wave_number(double speed) const;
   // Of the waves up to λ = shortest of a ship that runs with ν.
@@ -89,6 +96,7 @@ class MichellIntegral {
   double side_factor() const { return body_->mirrored() ? 1.0 : 0.5; }
 
   const analysis::HullBody* body_;
+  analysis::BodyStamp stamp_;
   WayFrame frame_;
   double density_, gravity_, tolerance_;
   double aft_, forward_, deepest_;  // m, of the mesh, along and below the water

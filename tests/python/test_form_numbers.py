@@ -111,10 +111,9 @@ def test_section_areas_have_their_derivatives(name):
     sample = Sample(name)
     random = np.random.default_rng([SEED, 100 + SAMPLES.index(name)])
     shifts = sample.smooth_shifts(random)
-    numbers = sample.numbers()
     for share in random.uniform(0.1, 0.9, 5):
         x = share * sample.dimensions["length_pp"]
-        gradient = numbers.section_area_gradient(x)
+        gradient = sample.numbers().section_area_gradient(x)
         slopes = sample.differences(shifts, lambda: sample.numbers().section_area(x))
         most = max(np.abs(gradient * shifts).sum(), sample.size)
         assert np.abs((gradient * shifts).sum() - slopes).min() <= DIFFERENCES * most

@@ -49,6 +49,7 @@ Gradient FormNumbers::zero() const {
 }
 
 Gradient FormNumbers::section_area_gradient(double position) {
+  require_current();
   return derivatives_->section_area(position, water_);
 }
 
@@ -89,6 +90,7 @@ Gradient FormNumbers::inertia_gradient(const Vector3d& direction) {
 
 Gradient FormNumbers::gradient(FormNumber number) {
   using N = FormNumber;
+  require_current();
   const Immersion& now = immersion();
   const bool is_defined = now.volume > 0.0;
   if (!is_defined) return zero();

@@ -12,6 +12,7 @@ namespace hull::analysis {
 FormNumbers::FormNumbers(const BodyDerivatives& derivatives, const FloatingPosition& position,
                          const ProjectDimensions& project, double water_density)
     : derivatives_(&derivatives),
+      stamp_(derivatives.body()),
       position_(position),
       project_(project),
       density_(water_density),
@@ -33,6 +34,7 @@ const SectionArea& FormNumbers::largest() {
 }
 
 double FormNumbers::section_area(double position) {
+  require_current();
   return section_areas(derivatives_->body(), {position}, water_).front().area;
 }
 
@@ -122,6 +124,7 @@ FormNumbers::Product FormNumbers::coefficient(FormNumber number) {
 
 double FormNumbers::value(FormNumber number) {
   using N = FormNumber;
+  require_current();
   const Immersion& now = immersion();
   const bool afloat = now.volume > 0.0, has_plane = now.waterplane_area > 0.0;
   const Vector3d ahead = forward_direction(position_.trim, 0.0);

@@ -9,6 +9,7 @@
 #include "analysis/derivatives/body_derivatives.h"
 #include "analysis/hydrostatics/extents.h"
 #include "analysis/hydrostatics/hydrostatics.h"
+#include "analysis/immersion/body_stamp.h"
 
 namespace hull::analysis {
 
@@ -66,10 +67,13 @@ const std::vector<std::string>& form_number_names();
 // Extents have the derivatives of the point that is farthest: where the surface is as far along a
 // line or a flat, as at a flat side, it is that of one of these points, and moving another one
 // outwards changes them as well. Not for several threads at once.
+//
+// They are of the body as it is when they are made: once its surface's points were set, or it was
+// updated or joined to others, all that asks for numbers throws std::invalid_argument.
 class FormNumbers {
  public:
-  // `derivatives` must outlive them. Throws std::invalid_argument for a heel that is not zero, and
-  // as hydrostatics() does.
+  // `derivatives` must outlive them. Throws std::invalid_argument for a heel that is not zero, a
+  // body that is out of date, and as hydrostatics() does.
   FormNumbers(const BodyDerivatives& derivatives, const FloatingPosition& position,
               const ProjectDimensions& project, double water_density = kSeaWaterDensity);
 
@@ -96,6 +100,7 @@ class FormNumbers {
     FarthestPoint low, high;
   };
 
+  void require_current() const { stamp_.require_current("The FormNumbers object"); }
   const Immersion& immersion();
   const ImmersionDerivatives& by_points();
   const SectionArea& largest();
@@ -116,6 +121,7 @@ class FormNumbers {
   Product coefficient(FormNumber number);
 
   const BodyDerivatives* derivatives_;
+  BodyStamp stamp_;
   FloatingPosition position_;
   ProjectDimensions project_;
   double density_;

@@ -19,6 +19,7 @@ Vector3d FormNumbers::arm_products(const Gradient& gradient, const Vector3d& fro
 // heights are counted from the base line, which is at z = 0 before and after.
 Vector3d FormNumbers::scaling(FormNumber number, const Gradient& gradient) {
   using N = FormNumber;
+  require_current();
   assert(position_.trim == 0.0);
   const Vector3d waters(0.0, 0.0, position_.draft);
   if (number >= N::kProjectBlock) {
@@ -60,6 +61,7 @@ Vector3d FormNumbers::scaling(FormNumber number, const Gradient& gradient) {
 }
 
 Vector3d FormNumbers::section_area_scaling(double position, const Gradient& gradient) const {
+  require_current();
   return arm_products(gradient, {position, 0.0, position_.draft});
 }
 

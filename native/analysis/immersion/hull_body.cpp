@@ -81,6 +81,7 @@ HullBody::HullBody(const HullBody& body, const surface::LimitSurface& copy,
 }
 
 void HullBody::update() {
+  if (!stamp_.is_current() || appendages_) ++version_;
   parts_.update();
   boxes_.update(surface());
   close();
@@ -101,6 +102,7 @@ void HullBody::join(std::vector<Appendage> appendages) {
   current();
   assert(!water_);
   take(appendages);
+  ++version_;
   appendages_ = std::make_shared<const std::vector<Appendage>>(std::move(appendages));
 }
 

@@ -71,6 +71,11 @@ class HullBody {
   const surface::LimitSurface& surface() const { return stamp_.surface(); }
   // LimitSurface::revision() of the points that the body was computed of.
   int revision() const { return stamp_.revision(); }
+  // How often update() and join() changed the body: who keeps what it answered, and asks for more,
+  // compares this (body_stamp.h).
+  int version() const { return version_; }
+  // Whether its queries answer.
+  bool is_current() const { return stamp_.is_current(); }
   bool mirrored() const { return mirrored_; }
   double tolerance() const { return tolerance_; }
   // About which its integrals are kept.
@@ -129,6 +134,7 @@ class HullBody {
   ShellMoments wet_corner(int corner, Planes planes) const;
 
   surface::SurfaceStamp stamp_;
+  int version_ = 0;
   bool mirrored_;
   Openings openings_;
   double tolerance_;

@@ -36,7 +36,7 @@ Sample depth_of(const HeeledState& s) { return {s.heel, s.depth, s.depth_slope};
 
 HeelingPath::HeelingPath(const HullBody& body, double volume, double whole_volume,
                          const Vector3d& centre_of_gravity, TrimMode mode, double trim)
-    : body_(body), revision_(body.revision()), whole_volume_(whole_volume), first_trim_(trim) {
+    : body_(body), stamp_(body), whole_volume_(whole_volume), first_trim_(trim) {
   task_.volume = volume;
   task_.centre_of_gravity = centre_of_gravity;
   task_.free = {mode == TrimMode::kFree, false};
@@ -47,9 +47,7 @@ HeelingPath::HeelingPath(const HullBody& body, double volume, double whole_volum
 }
 
 const HeeledState* HeelingPath::find(double heel) {
-  if (body_.revision() != revision_) {
-    throw std::invalid_argument("The body was updated: its levers need a new heeling path.");
-  }
+  stamp_.require_current("The heeling path");
   const auto found = states_.find(heel);
   if (found != states_.end()) return &found->second;
   std::optional<HeeledState> state = solve(heel);

@@ -4,7 +4,7 @@
 #include <map>
 #include <optional>
 
-#include "analysis/immersion/hull_body.h"
+#include "analysis/immersion/body_stamp.h"
 #include "analysis/stability/floating_descent.h"
 
 namespace hull::analysis {
@@ -36,8 +36,9 @@ struct HeeledState {
 class HeelingPath {
  public:
   // REQUIRES: 0 < volume < whole_volume, which greatest_volume() gives; `trim` below 90°: held, or
-  // the first guess. `body` must outlive the path; once it
-  // was updated, queries throw std::invalid_argument.
+  // the first guess. `body` must outlive the path; once
+  // its surface's points were set, or it was updated or joined to others, queries throw
+  // std::invalid_argument.
   HeelingPath(const HullBody& body, double volume, double whole_volume,
               const Vector3d& centre_of_gravity, TrimMode mode, double trim = 0.0);
 
@@ -60,7 +61,7 @@ class HeelingPath {
   void add_slopes(HeeledState& state) const;
 
   const HullBody& body_;
-  int revision_;  // of the body that states_ are of
+  BodyStamp stamp_;  // of the body that states_ are of
   double whole_volume_;
   FloatingTask task_;
   double first_trim_;

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "resistance/michell_integral.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+#include "test_meshes.h"
+
+namespace hull::resistance {
+namespace {
+
+std::string words_of(const auto& query) {
+  try {
+    query();
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "";
+}
+
+// The mesh's extents are those of its points as they were.
+TEST(MichellIntegral, RefusesOnceItsBodyHasChanged) {
+  surface::LimitSurface surface{mesh::ControlMesh(testing::cube())};
+  analysis::HullBody body(surface, false);
+  const analysis::BodyDerivatives derivatives(body);
+  const MichellIntegral integral(body, {0.1, 0.0, 0.0, 0.0});
+  const double speed = 0.5 * std::sqrt(kGravity * integral.length());
+  ASSERT_GT(integral.resistance_to(speed, 1.5).resistance, 0.0);
+  const auto all_refuse = [&](const char* why) {
+    const auto refuses = [&](const auto& query) {
+      const std::string words = words_of(query);
+      EXPECT_EQ(words.find("Michell's integral is out of date: "), 0u) << words;
+      EXPECT_NE(words.find(why), std::string::npos) << words;
+    };
+    refuses([&] { integral.length(); });
+    refuses([&] { integral.resistance({speed}); });
+    refuses([&] { integral.resistance({}); });
+    refuses([&] { integral.resistance_to(speed, 1.5); });
+    refuses([&] { integral.gradient(derivatives, speed); });
+    refuses([&] { integral.gradient_to(derivatives, speed, 1.5); });
+    refuses([&] { integral.amplitudes(speed, {0.1}); });
+  };
+  std::vector<Vector3d> points = surface.mesh().points();
+  for (Vector3d& p : points) p.x() *= 2.0;
+  surface.set_points(points);
+  all_refuse("points were set");
+  body.update();
+  all_refuse("Make it anew");
+  EXPECT_NEAR(MichellIntegral(body, {0.1, 0.0, 0.0, 0.0}).length(),
+              2.0 * speed * speed / (0.25 * kGravity), 1e-12 * speed * speed);
+}
+
+TEST(MichellIntegral, HasDerivativesOfItsOwnBodyAlone) {
+  surface::LimitSurface surface{mesh::ControlMesh(testing::cube())};
+  const surface::LimitSurface other{mesh::ControlMesh(testing::prism(7))};
+  const analysis::HullBody body(surface, false), twin(body, surface), another(other, false);
+  const MichellIntegral integral(body, {0.1, 0.0, 0.0, 0.0});
+  const double speed = 0.5 * std::sqrt(kGravity * integral.length());
+  for (const analysis::HullBody* wrong : {&twin, &another}) {
+    const analysis::BodyDerivatives derivatives(*wrong);
+    EXPECT_NE(words_of([&] { integral.gradient_to(derivatives, speed, 1.5); }).find("another body"),
+              std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace hull::resistance
