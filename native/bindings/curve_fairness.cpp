@@ -208,7 +208,8 @@ void bind_curve_fairness(py::module_& module) {
       "time.\n\n"
       "sections: what sections() gave for these planes, of the surface as it is, to a "
       "chord_tolerance no coarser than the default; nothing is cut then. "
-      "ValueError for planes, tolerances and options out of range.");
+      "ValueError for planes, tolerances and options out of range, and for sections that are not "
+      "on the surface as it is.");
   module.def(
       "feature_fairness",
       [](const surface::LimitSurface& surface, std::optional<double> step, std::optional<int> count,

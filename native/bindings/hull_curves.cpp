@@ -28,7 +28,8 @@ void bind_surface_curve(py::module_& module) {
   py::class_<SurfaceCurve>(module, "SurfaceCurve",
                            "A curve on a LimitSurface: steps within single cells, each what the "
                            "surface makes of a straight line in (u, v). It lies on the surface "
-                           "all along.")
+                           "all along, as that is when the curve is made: after "
+                           "surface.set_points() what takes curves raises ValueError for it.")
       .def_readwrite("name", &SurfaceCurve::name, "As it is called in lists and drawings.")
       .def_property_readonly(
           "points", [](const SurfaceCurve& c) { return to_array(c.points); },
@@ -56,14 +57,26 @@ void bind_surface_curve(py::module_& module) {
             for (const auto& step : c.steps) uv.push_back(step.to);
             return to_array(uv);
           },
-          "(k, 2): … and where it ends.");
+          "(k, 2): … and where it ends.")
+      .def(
+          "is_on",
+          [](const SurfaceCurve& c, const surface::LimitSurface& s) {
+            return production::is_on(s, c);
+          },
+          py::arg("surface"),
+          "Whether it is on a LimitSurface as that is: not on another one, nor after "
+          "set_points().");
 }
 
 }  // namespace
 
 void bind_hull_curves(py::module_& module) {
   bind_surface_curve(module);
-  py::class_<HullCurves>(module, "HullCurves", "Makes curves on a hull: seams, butts, marks.")
+  py::class_<HullCurves>(
+      module, "HullCurves",
+      "Makes curves on a hull: seams, butts, marks. It is of the surface as it is "
+      "when made: after surface.set_points() whatever is asked raises "
+      "ValueError; make it anew.")
       .def(py::init([](const surface::LimitSurface& surface, std::optional<double> tolerance) {
              return HullCurves(surface, tolerance.value_or(1e-5 * surface.mesh().size()));
            }),
@@ -102,7 +115,9 @@ void bind_hull_curves(py::module_& module) {
           "hull, in the plane through the point across the direction `across` (3,), by default "
           "the frame there, on the side that lies towards (3,). A list: one for each part of the "
           "base from which the hull reaches so far; ends are on its border. ValueError where no "
-          "part does, for a girth that is not positive, and for a base in such planes.")
+          "part does, for a girth that is not positive, for a base in such planes, and for one "
+          "that "
+          "is not on the surface as it is.")
       .def(
           "projected",
           [](const HullCurves& curves, const DoubleArray& points, const DoubleArray& direction,
@@ -136,7 +151,8 @@ void bind_hull_curves(py::module_& module) {
             return production::pieces_between(curves.surface(), curve, by);
           },
           py::arg("curve"), py::arg("by"),
-          "A curve cut where it crosses others: a list of SurfaceCurve, in order.");
+          "A curve cut where it crosses others: a list of SurfaceCurve, in order. ValueError for "
+          "curves that are not on the surface as it is.");
 }
 
 }  // namespace hull::bindings

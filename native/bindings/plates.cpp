@@ -95,6 +95,7 @@ py::list flat_plate_sides(const OneFlatPlate& one) {
 }
 
 py::list marks_of(const OneFlatPlate& one, const SurfaceCurve& curve) {
+  production::require_on(one.of.plating->shell->surface, curve);
   py::list marks;
   for (const production::FlatMark& mark : production::flat_marks(one.flat, curve)) {
     marks.append(py::make_tuple(to_array(mark.points), to_array(mark.on_hull)));
@@ -187,7 +188,8 @@ void bind_flat_plate(py::module_& module) {
           "Whether the energy is the least to rounding, and stretch_error below 0.0005.")
       .def("marks", &marks_of, py::arg("curve"),
            "The parts of a SurfaceCurve on the plate: a list of pairs, points on the flat plate "
-           "(k, 2) and the same on the hull (k, 3), m.")
+           "(k, 2) and the same on the hull (k, 3), m. ValueError for a curve that is not on the "
+           "surface as the plate was made of it.")
       .def("places", &flat_places, py::arg("cells"), py::arg("uv"),
            "Where places of the hull, cells (n,) and uv (n, 2), are on the flat plate: (n, 2), m; "
            "NaN beside the plate.");
@@ -268,7 +270,7 @@ void bind_plates(py::module_& module) {
       "face up, down or along the ship, are one with their mirror image. progress: called with the "
       "share done; what it raises ends the task. ValueError for a "
       "plate over a knuckle, and for a curve with the same plate on both sides, as one that ends "
-      "within a plate.");
+      "within a plate, or that is not on the surface as it is.");
 }
 
 }  // namespace hull::bindings

@@ -15,11 +15,12 @@
 namespace hull::analysis {
 namespace {
 
-constexpr double kStep = 1.0 / 200.0;  // of the mesh's size
-constexpr double kNoise = 1e-3;        // over the mesh's size
-constexpr double kPlaneCurve = 1e-9;   // of the mesh's size
-constexpr double kCoarsest = 1e-5;     // of the mesh's size: chords of sections
-constexpr int kMostSamples = 100000;   // of one stretch
+constexpr double kStep = 1.0 / 200.0;   // of the mesh's size
+constexpr double kNoise = 1e-3;         // over the mesh's size
+constexpr double kPlaneCurve = 1e-9;    // of the mesh's size
+constexpr double kCoarsest = 1e-5;      // of the mesh's size: chords of sections
+constexpr double kOnCutSurface = 1e-7;  // of the mesh's size: places of sections, with some room
+constexpr int kMostSamples = 100000;    // of one stretch
 constexpr double kTallest = 0.98;
 
 struct Rules {
@@ -86,6 +87,22 @@ CurveFairness judged(const surface::LimitSurface& surface, const Plane& plane,
   return result;
 }
 
+// A place in each cell tells: more would cost as much as judging does.
+void require_cut_of(const surface::LimitSurface& surface, const SectionCurve& curve, double size) {
+  for (std::size_t i = 0; i < curve.cells.size(); ++i) {
+    const int cell = curve.cells[i];
+    if (i > 0 && cell == curve.cells[i - 1]) continue;
+    const Eigen::Vector2d& uv = curve.uv[i];
+    if (cell < surface.cell_count() &&
+        (surface.position(cell, uv.x(), uv.y()) - curve.points[i]).norm() <= kOnCutSurface * size) {
+      continue;
+    }
+    throw std::invalid_argument(
+        "A section is out of date: the surface's points were set since it was cut, or it is "
+        "another's. Cut it anew.");
+  }
+}
+
 int count_of(const std::vector<CurveMark>& marks, bool inflections) {
   return static_cast<int>(std::count_if(marks.begin(), marks.end(), [&](const CurveMark& m) {
     return (m.kind == CurveMark::Kind::kInflection) == inflections;
@@ -117,6 +134,7 @@ std::vector<std::vector<CurveFairness>> section_fairness(
     const std::vector<std::vector<const SectionCurve*>>& curves, const FairnessOptions& options) {
   assert(curves.size() == planes.size());
   const Rules rules = rules_from(surface, options);
+  const double size = surface.mesh().size();
   std::vector<std::vector<CurveFairness>> result(planes.size());
   constexpr std::size_t kGrain = 2;  // a plane's curves take some 100 microseconds
   surface::parallel_for(
@@ -124,6 +142,7 @@ std::vector<std::vector<CurveFairness>> section_fairness(
       [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
           for (const SectionCurve* curve : curves[i]) {
+            require_cut_of(surface, *curve, size);
             result[i].push_back(judged(surface, planes[i], *curve, rules));
           }
         }

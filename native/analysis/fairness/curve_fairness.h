@@ -47,7 +47,8 @@ std::vector<std::vector<CurveFairness>> section_fairness(const surface::LimitSur
                                                          const FairnessOptions& options);
 
 // The same of sections that are there: curves[i] are those by planes[i], as sections() gives them
-// to a chord tolerance no coarser than 1e-5 of the mesh's size. REQUIRES: as many as planes.
+// to a chord tolerance no coarser than 1e-5 of the mesh's size. Throws std::invalid_argument for
+// those of another surface, or of this one before its points were set. REQUIRES: as many as planes.
 std::vector<std::vector<CurveFairness>> section_fairness(
     const surface::LimitSurface& surface, const std::vector<Plane>& planes,
     const std::vector<std::vector<const SectionCurve*>>& curves, const FairnessOptions& options);

@@ -97,7 +97,7 @@ Vector3d unit(const Vector3d& v, const char* name) {
 }  // namespace
 
 HullCurves::HullCurves(const surface::LimitSurface& surface, double chord_tolerance)
-    : surface_(surface), chord_tolerance_(chord_tolerance), tree_(surface) {
+    : stamp_(surface), chord_tolerance_(chord_tolerance), tree_(surface) {
   if (!(chord_tolerance > 0.0 && std::isfinite(chord_tolerance))) {
     throw std::invalid_argument("The chord tolerance of curves must be a length above 0 m.");
   }
@@ -111,14 +111,14 @@ std::vector<SurfaceCurve> HullCurves::followed(const std::vector<analysis::Secti
     for (std::size_t i = 0; i < section.points.size(); ++i) {
       places.push_back({section.cells[i], section.uv[i].x(), section.uv[i].y()});
     }
-    curves.push_back(joined(surface_, tree_, places, name));
+    curves.push_back(joined(surface(), tree_, places, name));
   }
   return curves;
 }
 
 std::vector<SurfaceCurve> HullCurves::in_plane(const analysis::Plane& plane,
                                                const std::string& name) const {
-  auto curves = followed(analysis::section(surface_, plane, chord_tolerance_), name);
+  auto curves = followed(analysis::section(surface(), plane, chord_tolerance_), name);
   if (curves.empty()) {
     throw std::invalid_argument("The plane of \"" + name + "\" does not meet the hull.");
   }
@@ -134,7 +134,7 @@ std::vector<SurfaceCurve> HullCurves::on_cylinder(const Cylinder& cylinder,
     throw std::invalid_argument("The point on the axis of \"" + name + "\" is not finite.");
   }
   const Cylinder whole{cylinder.point, unit(cylinder.direction, "direction"), cylinder.radius};
-  auto curves = followed(cylinder_curves(surface_, whole, chord_tolerance_, name), name);
+  auto curves = followed(cylinder_curves(surface(), whole, chord_tolerance_, name), name);
   if (curves.empty()) {
     throw std::invalid_argument("The cylinder of \"" + name + "\" does not meet the hull.");
   }
@@ -145,8 +145,8 @@ std::vector<SurfaceCurve> HullCurves::sampled(const Rule& rule,
                                               const std::vector<double>& parameters,
                                               const std::string& name) const {
   std::vector<SurfaceCurve> curves;
-  for (const auto& places : Sampler(surface_, rule, chord_tolerance_).run(parameters)) {
-    SurfaceCurve curve = joined(surface_, tree_, places, name);
+  for (const auto& places : Sampler(surface(), rule, chord_tolerance_).run(parameters)) {
+    SurfaceCurve curve = joined(surface(), tree_, places, name);
     if (!curve.empty()) curves.push_back(std::move(curve));
   }
   return curves;
@@ -159,6 +159,8 @@ std::vector<SurfaceCurve> HullCurves::at_girth(const SurfaceCurve& base, double 
     throw std::invalid_argument("The girth of \"" + name + "\" must be a length above 0 m.");
   }
   const Vector3d normal = unit(across, "across"), side = unit(towards, "towards");
+  const surface::LimitSurface& surface = this->surface();
+  require_on(surface, base);
   std::vector<double> parameters;
   double run = 0.0;
   for (std::size_t k = 0; k < base.points.size(); ++k) {
@@ -174,7 +176,7 @@ std::vector<SurfaceCurve> HullCurves::at_girth(const SurfaceCurve& base, double 
     const auto k = std::min(static_cast<std::size_t>(t), base.steps.size() - 1);
     const CurveStep& step = base.steps[k];
     const Eigen::Vector2d uv = step.from + (t - static_cast<double>(k)) * (step.to - step.from);
-    return girth_point(surface_, {step.cell, uv.x(), uv.y()}, normal, side, girth,
+    return girth_point(surface, {step.cell, uv.x(), uv.y()}, normal, side, girth,
                        0.1 * chord_tolerance_);
   };
   std::vector<SurfaceCurve> curves = sampled(rule, parameters, name);
@@ -237,12 +239,12 @@ std::vector<SurfaceCurve> HullCurves::projected_from(const std::vector<Vector3d>
 SurfaceCurve HullCurves::along(const surface::CreaseCurve& crease, const std::string& name) const {
   std::vector<CellPlace> places;
   for (int i = 0; i <= 2 * crease.edge_count(); ++i) places.push_back(crease.left(0.5 * i));
-  return joined(surface_, tree_, places, name);
+  return joined(surface(), tree_, places, name);
 }
 
 std::vector<SurfaceCurve> HullCurves::borders() const {
   std::vector<SurfaceCurve> curves;
-  for (const surface::CreaseCurve& crease : surface::crease_curves(surface_)) {
+  for (const surface::CreaseCurve& crease : surface::crease_curves(surface())) {
     if (crease.kind() == surface::CreaseKind::kBorder) curves.push_back(along(crease, "border"));
   }
   return curves;
@@ -253,11 +255,11 @@ std::vector<SurfaceCurve> HullCurves::knuckles(double least_angle) const {
     throw std::invalid_argument("The least angle of knuckles must be an angle, 0 or more.");
   }
   std::vector<SurfaceCurve> curves;
-  for (const surface::CreaseCurve& crease : surface::crease_curves(surface_)) {
+  for (const surface::CreaseCurve& crease : surface::crease_curves(surface())) {
     if (crease.kind() == surface::CreaseKind::kBorder) continue;
     double largest = 0.0;
     for (int i = 0; i < 4 * crease.edge_count(); ++i) {
-      const double angle = surface::knuckle_angle(surface_, crease, 0.25 * i + 0.125);
+      const double angle = surface::knuckle_angle(surface(), crease, 0.25 * i + 0.125);
       if (std::isfinite(angle)) largest = std::max(largest, std::abs(angle));
     }
     if (largest > least_angle) curves.push_back(along(crease, "knuckle"));

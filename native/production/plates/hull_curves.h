@@ -6,17 +6,23 @@
 
 #include "production/plates/cylinder_curves.h"
 #include "production/plates/surface_curve.h"
+#include "surface/surface_stamp.h"
 
 namespace hull::production {
 
-// Makes curves on a surface: seams, butts, marks.
+// Makes curves on a surface: seams, butts, marks. Once the surface's points were set, whatever is
+// asked throws std::invalid_argument.
 class HullCurves {
  public:
   // `chord_tolerance`: points of curves are so near to one another that no chord is further than
-  // this from the curve, m. Throws std::invalid_argument unless it is positive.
+  // this from the curve, m. Throws std::invalid_argument unless it is positive. `surface` must
+  // outlive this.
   HullCurves(const surface::LimitSurface& surface, double chord_tolerance);
 
-  const surface::LimitSurface& surface() const { return surface_; }
+  const surface::LimitSurface& surface() const {
+    stamp_.require_current("The HullCurves object", "Make it anew.");
+    return stamp_.surface();
+  }
 
   // In a plane, branch by branch. Throws std::invalid_argument for a plane that misses the surface,
   // and as analysis::section().
@@ -32,8 +38,8 @@ class HullCurves {
   // plane through it across the direction `across`, towards the side of `towards`. One curve for
   // each part of the base from which the surface reaches so far; the ends are on its border.
   //
-  // Throws std::invalid_argument where no part does, for a girth that is not positive, and for a
-  // base that runs in such a plane.
+  // Throws std::invalid_argument where no part does, for a girth that is not positive, for a base
+  // that runs in such a plane, and as require_on() of the base.
   std::vector<SurfaceCurve> at_girth(const SurfaceCurve& base, double girth,
                                      const Vector3d& towards, const Vector3d& across,
                                      const std::string& name) const;
@@ -66,7 +72,7 @@ class HullCurves {
                                      const std::string& name) const;
   SurfaceCurve along(const surface::CreaseCurve& crease, const std::string& name) const;
 
-  const surface::LimitSurface& surface_;
+  surface::SurfaceStamp stamp_;
   double chord_tolerance_;
   surface::SurfaceTree tree_;
 };

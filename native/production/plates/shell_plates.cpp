@@ -217,6 +217,7 @@ Plating plating(const surface::LimitSurface& surface, std::vector<SurfaceCurve> 
   if (!(options.largest_knuckle >= 0.0)) {
     throw std::invalid_argument("The largest knuckle within a plate must be an angle, 0 or more.");
   }
+  for (const SurfaceCurve& curve : curves) require_on(surface, curve);
   auto shell = std::make_shared<PlatedShell>(PlatedShell{surface, std::move(curves), {}});
   shell->mesh = shell_mesh(shell->surface, shell->curves, options.size,
                            surface::part_of(options.progress, 0.0, 0.5));

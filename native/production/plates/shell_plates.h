@@ -60,7 +60,7 @@ struct Plating {
 //
 // Throws std::invalid_argument for a size that is not positive; for a plate that goes over a
 // knuckle, naming the place; for a curve that has the same plate on both sides, as one that ends
-// within a plate.
+// within a plate; and as require_on() of the curves.
 Plating plating(const surface::LimitSurface& surface, std::vector<SurfaceCurve> curves,
                 const PlatingOptions& options);
 

@@ -16,6 +16,10 @@ using surface::on_square_side;
 
 namespace {
 
+// Of the mesh's size: points of a curve are at its places on the surface, which are put onto sides
+// and corners within kOnSide.
+constexpr double kOnOwnSurface = 1e-7;
+
 double snapped(double x) {
   if (std::abs(x) <= kOnCellSide) return 0.0;
   return std::abs(x - 1.0) <= kOnCellSide ? 1.0 : x;
@@ -165,9 +169,32 @@ SurfaceCurve joined(const surface::LimitSurface& surface, const surface::Surface
   return curve;
 }
 
+bool is_on(const surface::LimitSurface& surface, const SurfaceCurve& curve) {
+  const double near = kOnOwnSurface * surface.mesh().size();
+  const auto is_at = [&](int cell, const Vector2d& uv, const Vector3d& point) {
+    return cell < surface.cell_count() &&
+           (surface.position(cell, uv.x(), uv.y()) - point).norm() <= near;
+  };
+  for (std::size_t k = 0; k < curve.steps.size(); ++k) {
+    const CurveStep& step = curve.steps[k];
+    if (!is_at(step.cell, step.from, curve.points[k])) return false;
+    if (!is_at(step.cell, step.to, curve.points[k + 1])) return false;
+  }
+  return true;
+}
+
+void require_on(const surface::LimitSurface& surface, const SurfaceCurve& curve) {
+  if (is_on(surface, curve)) return;
+  throw std::invalid_argument("The curve \"" + curve.name +
+                              "\" is not on the surface as it is: the surface's points were set "
+                              "since the curve was made, or it is another's. Make it anew.");
+}
+
 std::vector<SurfaceCurve> pieces_between(const surface::LimitSurface& surface,
                                          const SurfaceCurve& curve,
                                          const std::vector<SurfaceCurve>& others) {
+  require_on(surface, curve);
+  for (const SurfaceCurve& other : others) require_on(surface, other);
   std::vector<std::vector<CurveStep>> in_cell(surface.cell_count());
   for (const SurfaceCurve& other : others) {
     for (const CurveStep& step : other.steps) {

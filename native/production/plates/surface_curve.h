@@ -43,7 +43,13 @@ std::vector<CurveStep> in_all_cells(const mesh::Topology& cells, const CurveStep
 SurfaceCurve joined(const surface::LimitSurface& surface, const surface::SurfaceTree& tree,
                     const std::vector<CellPlace>& places, std::string name);
 
+// Whether a curve is on the surface as it is: one of another surface is not, nor one of this
+// surface before its points were set. require_on() throws std::invalid_argument then.
+bool is_on(const surface::LimitSurface& surface, const SurfaceCurve& curve);
+void require_on(const surface::LimitSurface& surface, const SurfaceCurve& curve);
+
 // The pieces of a curve between its crossings with others, in order. Ends lie on these to rounding.
+// Throws std::invalid_argument as require_on(), of all of them.
 std::vector<SurfaceCurve> pieces_between(const surface::LimitSurface& surface,
                                          const SurfaceCurve& curve,
                                          const std::vector<SurfaceCurve>& others);
