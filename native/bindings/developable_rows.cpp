@@ -84,9 +84,11 @@ void bind_developable_rows(py::module_& module) {
       .def_readonly("iterations", &DevelopedRow::iterations, "Steps taken.")
       .def_readonly("reached", &DevelopedRow::reached, "Whether `after` is within the limit.");
 
-  py::class_<OneRow>(module, "RuledRow",
-                     "Faces of a control mesh between two chains of creases or borders: surfaces "
-                     "of straight rulings between equal parameters of the creases' curves.")
+  py::class_<OneRow>(
+      module, "RuledRow",
+      "Faces of a control mesh between two chains of creases or borders: surfaces "
+      "of straight rulings between equal parameters of the creases' curves. It keeps to "
+      "the surface as it is when made; points= tells of others.")
       .def(py::init([](const surface::LimitSurface& surface, const py::object& faces) {
              RuledRow row(surface, integers_from(faces, "faces"));
              return OneRow{surface, std::move(row)};

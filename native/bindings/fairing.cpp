@@ -185,7 +185,8 @@ void bind_region(py::module_& module) {
       module, "FairRegion",
       "Chosen control points move so that the exact surface is as fair as can be within a "
       "deviation from what it was. Prepared once, so that solve() may follow a slider with the "
-      "energies 'lengthwise', 'blend' and 'thin_plate'.")
+      "energies 'lengthwise', 'blend' and 'thin_plate'. It keeps to the surface as it is when "
+      "made.")
       .def(py::init([](const surface::LimitSurface& surface, const py::object& points,
                        const std::string& energy, const py::object& locked,
                        const py::object& held_points, const DoubleArray& held_normals,

@@ -194,7 +194,8 @@ void bind_hull_families(py::module_& module) {
   py::class_<HullFamily> family(
       module, "HullFamily",
       "Hulls of one topology as parents of a family, whose members have the control points "
-      "Σ weight · points. A weight of 1 beside zeros gives a parent bit by bit.");
+      "Σ weight · points. A weight of 1 beside zeros gives a parent bit by bit. It keeps to the "
+      "parents as they are when made.");
   family.def(py::init<Parents>(), py::arg("parents"), py::call_guard<py::gil_scoped_release>(),
              "LimitSurfaces, two or more, as they are now. ValueError, naming what differs, unless "
              "they have the same faces, creases, corners and scheme.");

@@ -141,7 +141,8 @@ void bind_limit_surface(py::module_& module) {
       "corner, (1, 0) halfway along the edge to the next corner, (1, 1) at the face's centre. "
       "Positions are exact to about 1e-14 of the mesh's size. Large arrays of places are shared "
       "out "
-      "among the processors, which does not change the results.")
+      "among the processors, which does not change the results. copy.copy() gives a surface of its "
+      "own, of the same layout, much sooner than a new one is made.")
       .def(py::init([](const mesh::ControlMesh& mesh, const std::string& scheme) {
              const surface::Scheme chosen = scheme_from(scheme);
              const py::gil_scoped_release release;
@@ -190,8 +191,10 @@ void bind_limit_surface(py::module_& module) {
           py::arg("points"),
           "Moves the control points to (n, 3), m, on the same topology. Not to be called while "
           "another thread uses the surface. HullBody and MoveWatch of this surface refuse to "
-          "answer until their update(); ShownPoints and SurfaceTree keep to the points they were "
-          "made of.")
+          "answer until their update(); FormNumbers, MichellIntegral and HullCurves for good, and "
+          "are made anew. All else keeps to the points that it was made of, ShownPoints until "
+          "their update(), SurfaceTree until its refit().")
+      .def("__copy__", [](const surface::LimitSurface& surface) { return surface; })
       .def_property_readonly("revision", &surface::LimitSurface::revision,
                              "How often set_points() was called.")
       .def("evaluate", &evaluate, py::arg("cells"), py::arg("uv"), py::arg("derivatives") = 0,

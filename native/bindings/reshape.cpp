@@ -106,7 +106,7 @@ void bind_reshape(py::module_& module) {
       "Shifts of an exact surface, brought about by its control points: of all their moves within "
       "the limits those with the least mean squared residual by area, (1/A) ∫ |shift of the "
       "surface - wanted shift|² dA. Linear least squares, factored once, so that solve() may "
-      "follow a slider.")
+      "follow a slider. It keeps to the surface as it is when made.")
       .def(
           py::init([](const surface::LimitSurface& surface, const py::object& locked,
                       const py::object& held_points, const DoubleArray& held_normals,

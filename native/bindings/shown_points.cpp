@@ -31,7 +31,8 @@ void bind_shown_points(py::module_& module) {
       module, "ShownPoints",
       "The points of LimitSurface.tessellate(n) as programs that show them keep them: in single "
       "precision, in units of their own, of both sides. They follow a surface whose points move; "
-      "only those of cells that have moved are computed again.\n\n"
+      "only those of cells that have moved are computed again, by update(); before that they stay "
+      "as they are when made, or were updated last.\n\n"
       "First come the points of the tessellation, in its order, then the mirror images (x, -y, z) "
       "of those that are off the centre plane. Points nearer to it than tolerances.ON_CENTRE_PLANE "
       "of the mesh's size are put on it, and both sides share them.")

@@ -56,7 +56,8 @@ void bind_surface_places(py::module_& module) {
   py::class_<SurfacePlaces>(
       module, "SurfacePlaces",
       "Places all over a surface, each with the area that it stands for: sums over them are "
-      "integrals. Where Reshape wants to know the shifts.")
+      "integrals. Where Reshape wants to know the shifts. They keep to the surface as it is when "
+      "made.")
       .def(py::init(&made), py::arg("surface"), py::kw_only(), py::arg("per_side") = 3,
            py::arg("places") = py::none(),
            "per_side: places a side of each bicubic piece, 2 or 3; 2 are enough for what is smooth "

@@ -140,7 +140,8 @@ void bind_section_shift(py::module_& module) {
       module, "SectionShift",
       "Sections shifted along the ship until displacement and centre of buoyancy of the exact "
       "surface are as wanted: shift(x) = A x sin(π|x|) + B a(x), x from -1 at the after "
-      "perpendicular to 1 at the forward one, a the sectional area divided by the largest.")
+      "perpendicular to 1 at the forward one, a the sectional area divided by the largest. "
+      "It keeps to the body as it is when made.")
       .def(py::init([](const analysis::HullBody& body, double draft, double trim, double length_pp,
                        double beam, double design_draft, double water_density,
                        const std::string& part, const Range& parallel, const Range& parallel_wanted,

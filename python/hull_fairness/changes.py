@@ -17,6 +17,7 @@ same place then. So of these the hull before has all marks that its images have 
 along an axis by STRETCHES.
 """
 
+from copy import copy
 from dataclasses import dataclass, replace
 from itertools import pairwise
 
@@ -57,10 +58,12 @@ class MarkChange:
 
 class Known:
     """The marks of a LimitSurface, by which those of the changed one are told new from old; beam
-    in m; progress: as `judged` takes it."""
+    in m; progress: as `judged` takes it. It keeps to the surface as it is when made, so that the
+    changed one may be the same after set_points()."""
 
     def __init__(self, surface, beam, progress=None):
-        self.surface, self.beam, self.reach = surface, beam, REACH * beam
+        self.surface = surface = copy(surface)
+        self.beam, self.reach = beam, REACH * beam
         parts = _parts(progress, 1 + 3 * len(STRETCHES))
         lines = judged(surface, beam, progress=next(parts), eye=EYE)
         self.marks = placed(lines, surface, surface)

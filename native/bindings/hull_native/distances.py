@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """How far one exact surface lies from another one, inwards and outwards. Lengths are in metres."""
 
+from copy import copy
 from dataclasses import dataclass
 
 import numpy as np
@@ -16,6 +17,8 @@ _STEP = 1e-6
 # Further along the surface from a border than off it: at more than 45°.
 _LEAST_PART_OFF = np.sqrt(0.5)
 
+# Of the points of a tessellation every so many is looked at to tell whose it is.
+_EVERY = 16
 # The largest distance is looked for closer in so many cells, on so many points along each side.
 _CLOSER_CELLS, _CLOSER_POINTS = 4, 33
 
@@ -27,12 +30,13 @@ class DistanceField:
     than off it, has none (NaN): it lies beyond the border, where there is nothing to compare with.
     mirrored: the surface is the half y >= 0, and its mirror image counts too.
 
-    It keeps the surface as it is now.
+    It keeps to the surface as it is when made.
     """
 
     def __init__(self, surface, *, mirrored):
-        self._tree = SurfaceTree(surface)
-        self._surface, self._mirrored = surface, mirrored
+        # Its own: the tree does not follow set_points(), and normals must not either.
+        self._surface = copy(surface)
+        self._tree, self._mirrored = SurfaceTree(surface), mirrored
         self._is_border = _border_sides(surface.mesh, mirrored)
 
     def distances(self, points):
@@ -117,8 +121,10 @@ class SurfaceDistances:
 def surface_distances(surface, tessellation, field):
     """SurfaceDistances of a LimitSurface, at a tessellation of it, from a DistanceField.
 
-    The largest ones are looked for closer in the cells where they are.
+    The largest ones are looked for closer in the cells where they are. ValueError for a
+    tessellation of another surface, or of this one before its points were set.
     """
+    _require_of(surface, tessellation)
     values = field.distances(tessellation.points[_points_of_normals(tessellation)])
     weights, known = field_weights(tessellation), np.isfinite(values)
     area = weights[known].sum()
@@ -130,6 +136,16 @@ def surface_distances(surface, tessellation, field):
     inwards = _largest(surface, tessellation, field, values, -1.0)
     share = float(area / weights.sum()) if weights.sum() > 0.0 else 0.0
     return SurfaceDistances(values, *outwards, *inwards, mean_size, rms, share)
+
+
+def _require_of(surface, tessellation):
+    cells, some = np.asarray(tessellation.cells), slice(None, None, _EVERY)
+    if cells.max() < surface.cell_count:
+        found = surface.positions(cells[some], tessellation.uv[some])
+        off = np.abs(found - tessellation.points[some]).max()
+        if off <= tolerances.SAME_POSITION * surface.mesh.size:
+            return
+    raise ValueError("The tessellation is not of the surface as it is: make it anew.")
 
 
 def _points_of_normals(tessellation):

@@ -43,7 +43,8 @@ def frame_lines(surface, x, *, thickness=0.0, tolerance=None, tree=None):
     """(outer, inner): lists of (k, 2) arrays, (y, z) in m, of the section at x and of the inner
     side of the shell's thickness (m) there. ValueError where the frame is off the hull, for a
     thickness below 0, and for one that leaves no room within the frame: no point of the inner side
-    is as far as that from all of the shell, on the frame's own side of the centre plane."""
+    is as far as that from all of the shell, on the frame's own side of the centre plane. tree: the
+    surface's SurfaceTree, for many frames; ValueError for one that is not of it as it is."""
     if not np.isfinite(x):
         raise ValueError(f"A frame's x must be a finite number of metres, not {x:g}.")
     if not (np.isfinite(thickness) and thickness >= 0.0):
@@ -52,8 +53,10 @@ def frame_lines(surface, x, *, thickness=0.0, tolerance=None, tree=None):
     if not cut:
         raise ValueError(f"A frame at x = {x:g} m is off the hull.")
     outer, inner, has_room = [], [], False
-    if thickness > 0.0 and tree is None:
-        tree = SurfaceTree(surface)
+    if tree is None:
+        tree = SurfaceTree(surface) if thickness > 0.0 else None
+    else:
+        _require_of(surface, tree, cut, x)
     for curve in cut:
         for stretch in curve.stretches:
             first = stretch.first
@@ -71,6 +74,15 @@ def frame_lines(surface, x, *, thickness=0.0, tolerance=None, tree=None):
             "thickness in metres, or another frame."
         )
     return outer, inner
+
+
+def _require_of(surface, tree, cut, x):
+    points = np.concatenate([curve.points for curve in cut])
+    if tree.closest_points(points).distances.max() > _BESIDE * tree_size(surface):
+        raise ValueError(
+            f"The tree is not of the surface as it is at x = {x:g} m: the surface's points were "
+            "set since, or it is another's. Call its refit() first."
+        )
 
 
 def _is_inside(surface, tree, points, x, thickness):
@@ -98,8 +110,14 @@ def frame_drawing(
 
     waterlines: heights (m) that are drawn across. marks: curves (SurfaceCurve) such as seams,
     drawn where they cross the frame. tolerance: how far chords may be from the curves, m.
-    ValueError as frame_lines(), and for heights that are not finite.
+    ValueError as frame_lines(), for heights that are not finite, and for marks that are not on the
+    surface as it is.
     """
+    for curve in marks:
+        if not curve.is_on(surface):
+            raise ValueError(
+                f'The mark "{curve.name}" is not on the surface as it is: make the curve anew.'
+            )
     if not np.isfinite(np.asarray(waterlines, dtype=float)).all():
         raise ValueError("The heights of waterlines on a frame's drawing must be finite numbers.")
     outer, inner = frame_lines(surface, x, thickness=thickness, tolerance=tolerance, tree=tree)
