@@ -11,7 +11,7 @@ takes some times as long.
 import os
 
 import bpy
-from foreign_operations import runs
+from foreign_operations import operators, own_work, runs
 
 STEPS = int(os.environ.get("HULL_FOREIGN_STEPS", 2000))
 SEED = int(os.environ.get("HULL_FOREIGN_SEED", 97000000))
@@ -21,6 +21,23 @@ WINDOW = ("--window-geometry", "0", "0", "800", "600", "-noaudio", "--enable-eve
 HOW = WINDOW if IN_WINDOW else ("--background",)
 # Where Blender itself crashes a session ends early, and another one takes its place.
 MOST_CRASHES = 2 + STEPS // 400
+
+
+def test_what_is_left_out_is_blenders_own():
+    """Names that Blender has, so that none of them is left out in vain for its spelling, each with
+    a reason. What later versions no longer have is told by the first one that is supported."""
+    version = bpy.app.version[:2]
+    for name in [*operators.LEFT_OUT, *operators.TELL_NOBODY]:
+        module, own = name.split(".")
+        since = operators.SINCE.get(name)
+        if version >= since if since else version < (4, 0):
+            assert own in operators.names_of(module), name
+    assert set(operators.SINCE) <= set(operators.LEFT_OUT)
+    assert all(operators.LEFT_OUT.values())
+    types = bpy.types.Modifier.bl_rna.properties["type"].enum_items.keys()
+    assert operators.MODIFIERS_LEFT_OUT <= set(types)
+    ours = {f"hull.{name}" for name in operators.names_of("hull")}
+    assert set(own_work.LEFT_OUT) <= ours
 
 
 def test_what_is_shown_follows_whatever_is_done(tmp_path):

@@ -13,7 +13,7 @@ FAMILIES = {
     "PAINT": ("paint", "geometry", "object"),
 }
 
-# What is left out, by reason.
+# What is left out, by reason; test_foreign_operations.py holds the names against Blender's own.
 _NEEDS_THE_MOUSE = {
     "mesh.knife_tool",
     "object.voxel_size_edit",
@@ -72,23 +72,26 @@ _NO_MESHES = {
     "object.text_add",
     "object.volume_add",
 }
-# The last two without a window: one writes where other things are, the other one wants a GPU.
 _BRINGS_BLENDER_DOWN = {
-    "sculpt.set_persistent_base",
-    "sculpt.face_sets_create",
-    "object.lightprobe_cache_bake",
+    "sculpt.set_persistent_base": "it brings Blender down",
+    "sculpt.face_sets_create": "without a window it writes where other things are",
+    "object.lightprobe_cache_bake": "without a window it wants a GPU, and brings Blender down",
 }
 # These change a mesh that is edited and forget to say so to anybody, Blender's own view included.
 TELL_NOBODY = {"mesh.bridge_edge_loops"}
-_LEFT_OUT = (
-    _NEEDS_THE_MOUSE
-    | _TAKES_FILES_OR_TIME
-    | _ACTIONS_OF_THE_SESSION
-    | _NO_MESHES
-    | _BRINGS_BLENDER_DOWN
-)
+# {name: why it is left out}.
+LEFT_OUT = {
+    **dict.fromkeys(_NEEDS_THE_MOUSE, "it needs the mouse"),
+    **dict.fromkeys(_TAKES_FILES_OR_TIME, "it takes files, or much time"),
+    **dict.fromkeys(_ACTIONS_OF_THE_SESSION, "the session itself does it"),
+    **dict.fromkeys(_NO_MESHES, "it makes an object that is no mesh"),
+    **_BRINGS_BLENDER_DOWN,
+}
+# Of those names the ones that Blender did not always have: its version from which on it has them.
+# All others it had in 3.4, and some no longer.
+SINCE = {"object.lightprobe_cache_bake": (4, 1)}
 # Simulations, and what reads files.
-_MODIFIERS_LEFT_OUT = {
+MODIFIERS_LEFT_OUT = {
     "CLOTH",
     "COLLISION",
     "DYNAMIC_PAINT",
@@ -111,17 +114,17 @@ _VOXELS = 12  # along a mesh
 def by_chance(mode, random):
     """Names as "mesh.delete" of the operators of a mode, in an order by chance."""
     family = "PAINT" if mode.endswith("PAINT") else mode
-    return in_an_order_by_chance(FAMILIES[family], _LEFT_OUT, random)
+    return in_an_order_by_chance(FAMILIES[family], LEFT_OUT, random)
 
 
 def in_an_order_by_chance(modules, left_out, random):
-    names = [f"{module}.{name}" for module in modules for name in _names(module)]
+    names = [f"{module}.{name}" for module in modules for name in names_of(module)]
     names = [name for name in names if name not in left_out]
     return random.sample(names, len(names))
 
 
 @functools.cache  # asking Blender for them takes longer than most of them
-def _names(module):
+def names_of(module):
     return sorted(dir(getattr(bpy.ops, module)))
 
 
@@ -198,7 +201,7 @@ def _macro_step(prop, random):
 
 def _choice(prop, random):
     items = [item.identifier for item in prop.enum_items]
-    items = [item for item in items if item not in _MODIFIERS_LEFT_OUT]
+    items = [item for item in items if item not in MODIFIERS_LEFT_OUT]
     if not items:
         return None
     return {random.choice(items)} if prop.is_enum_flag else random.choice(items)
