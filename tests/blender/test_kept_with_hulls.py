@@ -24,31 +24,39 @@ def remove(obj):
 
 
 @pytest.fixture
-def nets(monkeypatch):
-    """(the overlay of control nets, how many went to the graphics card), without one."""
+def net_of(monkeypatch):
+    """(HullState → what the graphics card has of its control net, without one; how many it got)."""
     net, made = part("overlays.net"), []
+    versions = part("bridge.blender.blender_versions")
+    monkeypatch.setattr(versions, "builtin_shader", lambda name: None)
     monkeypatch.setattr(net, "batch_of_strokes", lambda strokes, shader: made.append(1) or object())
+    monkeypatch.setattr(part("overlays.buffers"), "batch", lambda *unused, **points: object())
     net._batches.clear()
-    yield net, made
+
+    def net_of_state(state):
+        return net._batches_of(state, b"", lambda: net.edges_of(state.ship.surface.mesh))
+
+    yield net_of_state, made
     net._batches.clear()
 
 
-def test_nets_of_hulls_are_made_once_whatever_their_name(nets):
-    net, made = nets
+def test_nets_of_hulls_are_made_once_whatever_their_name(net_of):
+    net, made = net_of
     hulls = [add_hull("one"), add_hull("other")]
     follow()
-    known = [net._batch_of(state_of(hull), None) for hull in hulls]
+    known = [net(state_of(hull)) for hull in hulls]
     hulls[0].name, hulls[1].name = "third", "one"
     follow()
-    assert [net._batch_of(state_of(hull), None) for hull in hulls] == known
+    assert [net(state_of(hull)) for hull in hulls] == known
     hulls[0].data.vertices[0].co.x -= 1.0
     hulls[0].data.update_tag()
     follow()
-    assert net._batch_of(state_of(hulls[0]), None) is not known[0] and len(made) == 3
-    assert len(net._batches) == 2
+    assert net(state_of(hulls[0])) != known[0] and len(made) == 3
+    kept = part("overlays.net")._batches
+    assert len(kept) == 2
     for hull in hulls:
         remove(hull)
-    assert not net._batches
+    assert not kept
 
 
 def test_arrays_of_a_network_go_with_it():

@@ -65,7 +65,7 @@ def _draw():
         drawn = _drawn(shown)
         if drawn is None:
             continue
-        lines, points = _batches_of(shown, *drawn)
+        lines, points = _batches_of(shown.state, *drawn)
         gpu.state.depth_test_set("NONE" if shown.hull.show_in_front else "LESS_EQUAL")
         with gpu.matrix.push_pop():
             gpu.matrix.load_matrix(shown.to_view())
@@ -115,9 +115,8 @@ def _drawn(shown):
     return b"", lambda: edges_of(state.ship.surface.mesh)
 
 
-def _batches_of(shown, key, edges):
+def _batches_of(state, key, edges):
     """(lines, points), both None where there are none."""
-    state = shown.state
     key = key, state.ship.geometry_key
     known = _batches.get(state)
     if known is None or known[0] != key:
