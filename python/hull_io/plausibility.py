@@ -15,8 +15,10 @@ from . import sides
 TAKE, WHOLE, HALF, KEEL = "TAKE", "WHOLE", "HALF", "KEEL"
 
 # Shares of the surface's length and beam that ships have between perpendiculars, and moulded.
-# Of sterns and stems that hang over far a fast boat's leave 0.85 of the length.
+# Of sterns and stems that hang over far a fast boat's leave 0.85 of the length, a classic yacht's
+# 0.65, which is about the length of its waterline.
 LENGTHS = (0.8, 1.1)
+LEAST_LENGTH, LEAST_OF_WATERLINE = 0.6, 0.9
 BEAMS = (0.7, 1.1)
 # What counts as about the middle: so far from it, as a part of the length.
 MIDDLE = 0.1
@@ -62,15 +64,15 @@ def extents(points):
     return Extents(tuple(low.tolist()), tuple(high.tolist()), float(points[about, 2].min()))
 
 
-def doubts(particulars, half, found, block=None, midship=None):
+def doubts(particulars, half, found, block=None, midship=None, waterline=None):
     """A list of Doubt about a hull.
 
     particulars: has length_pp, beam and draft, 0 where not given. half: whether the hull is the
     port half and counts twice. found: the Extents of its surface. block, midship: Cb and Cm on
-    these particulars, None where unknown.
+    these particulars, waterline: the length of the upright hull's waterline; None where unknown.
     """
     about_sides = _about_sides(half, found)
-    dimensions = _about_units(particulars) or _about_dimensions(particulars, half, found)
+    dimensions = _about_units(particulars) or _about_dimensions(particulars, half, found, waterline)
     keel = _about_keel(found)
     # Both sides count twice, and a keel below the base line lies deeper than the draft.
     is_explained = bool(about_sides) or bool(keel) and found.keel < 0.0
@@ -117,10 +119,14 @@ def _about_units(particulars):
     ]
 
 
-def _about_dimensions(particulars, half, found):
+def _about_dimensions(particulars, half, found, waterline):
+    least, most = LENGTHS
+    if waterline is not None:
+        floating = LEAST_OF_WATERLINE * waterline / max(found.length, waterline)
+        least = min(least, max(LEAST_LENGTH, floating))
     far = []
     for name, title, (least, most), extent in (
-        ("length_pp", "Lpp", LENGTHS, found.length),
+        ("length_pp", "Lpp", (least, most), found.length),
         ("beam", "The beam", BEAMS, found.beam(half)),
     ):
         given = getattr(particulars, name)

@@ -82,6 +82,16 @@ def test_dimensions_that_are_all_1_m():
     assert doubt.remedy == TAKE and "all 1 m" in doubt.message
 
 
+def test_a_classic_yacht_s_overhangs_are_no_doubt():
+    """A Lpp of 70 m on 105 m, which is that of its waterline."""
+    yacht = Particulars(length_pp=70.0, beam=16.0)
+    assert doubts(yacht, True, surface(), waterline=71.0) == []
+    for length, waterline in ((70.0, 100.0), (70.0, 80.0), (70.0, None), (60.0, 62.0)):
+        shorter = Particulars(length_pp=length, beam=16.0)
+        (doubt,) = doubts(shorter, True, surface(), waterline=waterline)
+        assert (doubt.remedy, doubt.takes) == (TAKE, ("length_pp",))
+
+
 @pytest.mark.parametrize("keel, where", [(-2.0, "2 m below"), (3.0, "3 m above")])
 def test_a_keel_that_is_not_on_the_base_line(keel, where):
     (doubt,) = doubts(SHIP, True, surface((-3.0, 0.0, keel), (102.0, 8.0, 9.0)))

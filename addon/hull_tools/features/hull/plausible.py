@@ -32,9 +32,10 @@ class Plausible:
         settings = obj.hull
         given = {name: as_typed(getattr(settings, name)) * scale for name in _GIVEN}
         is_upright = found is not None and found.trim_m == 0.0 and found.heel == 0.0
-        coefficients = (found.project_block, found.project_midship) if is_upright else (None, None)
+        names = ("project_block", "project_midship", "waterline_length")
+        numbers = [getattr(found, name) for name in names] if is_upright else []
         self.doubts = plausibility.doubts(
-            SimpleNamespace(**given), settings.half, self.extents, *coefficients
+            SimpleNamespace(**given), settings.half, self.extents, *numbers
         )
 
 
