@@ -38,6 +38,7 @@ class PieceSide {
     sample.p.uv = place(t);
     sample.d1 = (side_ < 2 ? 1.0 : -1.0) * (is_along_v ? here.dv : here.du);
     const Vector3d& d2 = is_along_v ? here.dvv : here.duu;
+    // The edge is in the plane but for rounding; d2's part across it drops out of the product.
     const Vector3d d1 = sample.d1 - normal_.dot(sample.d1) * normal_;
     const double speed = d1.norm();
     if (speed > 0.0) {
@@ -106,6 +107,7 @@ void PlaneEdges::add_edge(int edge, State left, State right, double chord_tolera
   const auto is_off = [](State state) { return state == State::kAbove || state == State::kBelow; };
   if (is_off(left) || is_off(right)) {
     is_forward = left == State::kAbove || right == State::kBelow;
+    // The surface touches the plane from one side: neither direction is right.
     if (left == right) sense = SectionArc::Sense::kEither;
   } else {
     const surface::SurfaceJet jet = side.jet(0.5 * (part.begin + part.end));

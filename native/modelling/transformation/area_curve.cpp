@@ -60,6 +60,7 @@ AreaCurve::AreaCurve(const WorkingHull& hull)
   }
   coefficients_ = mesh::least_norm_solution(rows, areas);
   const double step = 1e-4 * length;
+  // From within: beyond its ends spline() is constant.
   slope_aft_ = (spline(aft_ + step) - spline(aft_)) / step;
   slope_forward_ = (spline(forward_) - spline(forward_ - step)) / step;
 }
@@ -74,6 +75,7 @@ double AreaCurve::spline(double x) const {
 
 double AreaCurve::at(double x) const {
   const double fade = kFade * (forward_ - aft_);
+  // On along the tangent, whose slope fades to none.
   const auto beyond = [fade](double distance) {
     const double d = std::min(distance, fade);
     return d * (1.0 - 0.5 * d / fade);
@@ -106,6 +108,7 @@ HullRange parallel_body(const WorkingHull& hull) {
   HullRange range{first->position, last->position};
   if (first != sections.begin()) range.aft = end(range.aft, (first - 1)->position);
   if (last + 1 != sections.end()) range.forward = end(range.forward, (last + 1)->position);
+  // Shorter ones are the tops of curved ones.
   if (range.forward - range.aft > 1e-3 * length) return range;
   return {largest->position, largest->position};
 }

@@ -48,6 +48,8 @@ SectionShift::SectionShift(const analysis::HullBody& body,
       functions_(with_length(settings, project), hull_, reshape_.places()) {
   if (!(project_.draft > 0.0)) project_.draft = position.draft;
   slopes_ = slopes_along(functions_, reshape_.places());
+  // Moves are linear in the coefficients: with those of each function alone no step of the solver
+  // has equations to solve.
   for (int k = 0; k < functions_.count(); ++k) {
     units_.push_back(shift_by([&](double x) { return functions_.value(k, x); }));
   }
@@ -89,6 +91,8 @@ std::vector<Vector3d> SectionShift::moves(const std::vector<double>& coefficient
 }
 
 bool SectionShift::is_sound(const std::vector<double>& coefficients) const {
+  // Sections that overtake one another are told by the functions alone, before all cells are
+  // looked at.
   if (!(ShiftFunctions::least_stretch(slopes_, coefficients) > 0.0)) return false;
   std::vector<Vector3d> points = moves(coefficients);
   for (std::size_t i = 0; i < points.size(); ++i) points[i] += hull_.points()[i];

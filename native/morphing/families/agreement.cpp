@@ -63,6 +63,7 @@ void compare_elements(const mesh::Topology& first, const mesh::Topology& other,
   }
   add(parent, " has other points around the faces ", faces,
       "Take variants of one hull, or number both alike.", found);
+  // Edges go by the numbers of half-edges, which say nothing where faces differ.
   if (!faces.empty()) return;
   for (int h = 0; h < first.half_edge_count(); ++h) {
     if (!first.is_edge_front(h) || first.is_crease(h) == other.is_crease(h)) continue;
@@ -72,6 +73,7 @@ void compare_elements(const mesh::Topology& first, const mesh::Topology& other,
       "Crease the edges of both, or of neither.", found);
   add(parent, " has no creases where the first has them: ", missing,
       "Crease the edges of both, or of neither.", found);
+  // Kinds follow from creases: what differs beyond them is corners.
   if (!creases.empty() || !missing.empty()) return;
   for (int v = 0; v < first.vertex_count(); ++v) {
     if (first.kind(v) != other.kind(v)) points.push_back(std::to_string(v));

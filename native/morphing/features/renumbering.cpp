@@ -33,6 +33,7 @@ class Isomorphism {
   bool extend(int h, int k) {
     edges_.clear();
     body_.clear();
+    // One pair decides all of a body: every other one is reached by next() and twin().
     std::vector<std::pair<int, int>> open{{h, k}};
     while (!open.empty()) {
       const auto [a, b] = open.back();
@@ -103,6 +104,8 @@ std::optional<std::vector<int>> renumbering(const mesh::ControlMesh& mesh,
   Isomorphism map(from, to);
   for (int h = 0; h < from.half_edge_count(); ++h) {
     if (map.image(h) != kFree) continue;
+    // Bodies that are symmetric, or alike, go onto one another in several ways: of these the
+    // nearest is meant.
     int best = kFree;
     double least = std::numeric_limits<double>::infinity();
     for (int k = 0; k < to.half_edge_count(); ++k) {
@@ -122,6 +125,7 @@ std::optional<std::vector<int>> renumbering(const mesh::ControlMesh& mesh,
     map.extend(h, best);
   }
   for (int image : map.vertices()) {
+    // A point without faces belongs to no body.
     if (image == kFree) return std::nullopt;
   }
   return map.vertices();

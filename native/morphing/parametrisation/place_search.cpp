@@ -75,6 +75,7 @@ DiscPlace PlaceSearch::find(const Vector2d& place) const {
     if (node.left >= 0) {
       waiting.push_back(node.left);
       waiting.push_back(node.right);
+      // On a common edge the triangle with the lowest number, however the tree was built.
     } else if (node.right < found.triangle) {
       const std::array<double, 3> areas = areas_at(map_, node.right, place);
       if (std::min({areas[0], areas[1], areas[2]}) >= 0.0) found = {node.right, areas};

@@ -74,6 +74,7 @@ std::optional<SegmentZone> near_segments(const Vector3d& first_start, const Vect
 std::vector<NearZone> near_zones(CurveTree& first, CurveTree& second, double reach) {
   std::vector<NearZone> zones;
   std::vector<std::pair<int, int>> pairs;
+  // Straight parts are taken for their chords, from which both curves may be flat() away.
   const double far = reach + 2.0 * std::max(first.flat(), second.flat());
   if (first.box().squaredExteriorDistance(second.box()) > far * far) return zones;
   for (int i = 0; i < first.root_count(); ++i) {
@@ -95,6 +96,7 @@ std::vector<NearZone> near_zones(CurveTree& first, CurveTree& second, double rea
                        on(b.piece, zone->second_high), on(b.piece, zone->second_nearest)});
       continue;
     }
+    // The larger one is halved, so that both become alike: small boxes part soonest.
     const bool is_first = b.is_straight || (!a.is_straight && a.box.diagonal().squaredNorm() >=
                                                                   b.box.diagonal().squaredNorm());
     const int half = is_first ? first.halves_of(i) : second.halves_of(k);
@@ -120,6 +122,8 @@ std::vector<std::vector<NearZone>> coherent_zones(const std::vector<NearZone>& z
   for (std::size_t i = 0; i < zones.size(); ++i) {
     for (std::size_t k = i + 1; k < zones.size(); ++k) {
       const NearZone &a = zones[i], &b = zones[k];
+      // Neighbours end at the same parameters but for rounding; on one curve alone they may be
+      // different meetings.
       if (touch(a.first_low, a.first_high, b.first_low, b.first_high, kSameLimit * first_size) &&
           touch(a.second_low, a.second_high, b.second_low, b.second_high,
                 kSameLimit * second_size)) {

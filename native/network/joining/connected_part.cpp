@@ -16,6 +16,7 @@ class Pruning {
       : joined_(joined), shapes_(shapes), names_(names), stays_(joined.edges.size(), true) {}
 
   void run() {
+    // First what is apart: a curve that meets nothing would else be told as dangling.
     cut_apart();
     cut_dangling();
     renumber();
@@ -44,6 +45,7 @@ class Pruning {
   void cut_dangling() {
     std::vector<std::pair<int, Dangling>> told;
     std::vector<int> told_at(joined_.nodes.size(), -1);
+    // An edge that is cut may leave the one before it dangling.
     for (bool is_changed = true; is_changed;) {
       is_changed = false;
       const std::vector<int> counts = edge_counts();
@@ -56,6 +58,7 @@ class Pruning {
         is_changed = true;
         const int free = is_from ? edge.from : edge.to, root = is_from ? edge.to : edge.from;
         int& at = told_at[static_cast<std::size_t>(free)];
+        // Where another curve goes on from a root, that one dangles by itself.
         if (at < 0 || told[static_cast<std::size_t>(at)].first != edge.curve) {
           at = static_cast<int>(told.size());
           told.push_back({edge.curve, {node(free), node(root), 0.0}});

@@ -54,6 +54,7 @@ Points3 EdgeShape::evaluate(double u, int order) const {
   const double width = high_ - low_;
   const double t = u >= 1.0 ? high_ : std::min(low_ + u * width, high_);
   Points3 rows = piece_.evaluate(t, order);
+  // Shifts to the nodes fade with a slope of zero at both ends: tangents there stay the piece's.
   const double first[] = {1.0 - u * u * (3.0 - 2.0 * u), -6.0 * u * (1.0 - u), 12.0 * u - 6.0};
   double scale = 1.0;
   for (int k = 0; k <= order; ++k) {
@@ -87,6 +88,7 @@ std::optional<Vector3d> EdgeShape::found_halt() const {
     const Vector3d slope = jet.row(1);
     if (!(slope.norm() > kHalted * length_)) return Vector3d(jet.row(0));
     const Vector3d tangent = slope.normalized();
+    // Turned back between two samples: there it stood still.
     if (tangent.dot(before) < -0.5) return Vector3d(jet.row(0));
     before = tangent;
   }
@@ -103,6 +105,7 @@ std::vector<EdgeShape> edge_shapes(const JoinedCurves& joined,
     const auto found = known_numbers.find(key_of(edge));
     if (found != known_numbers.end()) {
       const CurveEdge& same = known.joined->edges[found->second];
+      // A curve that is as it was may end at nodes that others have moved.
       if (known.joined->nodes[static_cast<std::size_t>(same.from)] == from &&
           known.joined->nodes[static_cast<std::size_t>(same.to)] == to) {
         edges.push_back((*known.shapes)[found->second]);

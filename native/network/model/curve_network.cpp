@@ -28,6 +28,7 @@ CurveNetwork::CurveNetwork(std::vector<NetworkCurve> curves, const NetworkOption
     throw std::invalid_argument("plane_angle must be from 0 to less than a right angle.");
   }
   if (make_shapes()) join(before);
+  // What prevents a surface comes before what is only worth knowing.
   std::ranges::stable_sort(problems_, {}, &NetworkProblem::is_note);
 }
 
@@ -106,6 +107,7 @@ void CurveNetwork::join(const CurveNetwork* before) {
   try {
     frame.faces = region_faces(frame.joined, frame.shapes, frame.order);
   } catch (const NetworkFault& fault) {
+    // Edges and nodes stay without regions, so that the place can be shown.
     problems_.push_back(wrong_order(frame.joined, frame.shapes, names(), fault.edges));
     *frame_ = std::move(frame);
     return;

@@ -64,6 +64,7 @@ std::optional<BorderPlate> BorderPlate::within(const std::vector<PlateSample>& b
   }
   up.normalize();
   for (const PlateSample& sample : border) {
+    // The plate is a height over one plane: of a border that leans more it would be too steep.
     if (!(sample.normal.dot(up) > kLeastUp)) return std::nullopt;
   }
   plate.axes_.col(2) = up;
@@ -86,6 +87,7 @@ std::optional<BorderPlate> BorderPlate::within(const std::vector<PlateSample>& b
     const Vector2d along = (plate.axes_.transpose() * border[i].along).head<2>();
     const Vector2d across = Vector2d(-along.y(), along.x()).normalized();
     plate.sources_.push_back({polygon[i], across});
+    // The normal of a height h is along (-h_x, -h_y, 1).
     wanted.push_back(-across.dot(normal.head<2>()) / normal.z());
   }
   plate.centre_ = centroid(polygon);
@@ -104,6 +106,8 @@ void BorderPlate::solve(const Eigen::VectorXd& wanted) {
       const Source& other = sources_[static_cast<std::size_t>(k)];
       const Vector2d d = one.at - other.at;
       const bool is_slope = !other.across.isZero(0.0);
+      // A source of a slope is the kernel differentiated by its own place: hence the minus signs,
+      // which keep the matrix symmetric.
       all(i, k) = !has_normals_ ? radial3(d)
                   : has_slope   ? is_slope ? -one.across.dot(radial5_bend(d, other.across))
                                            : one.across.dot(radial5_slope(d))
@@ -116,6 +120,7 @@ void BorderPlate::solve(const Eigen::VectorXd& wanted) {
   }
   Eigen::VectorXd right = Eigen::VectorXd::Zero(count + terms);
   right.head(count) = wanted;
+  // Indefinite, for nothing stands where polynomials meet polynomials: no Cholesky.
   weights_ = all.partialPivLu().solve(right);
 }
 

@@ -27,6 +27,7 @@ class RegionMerger {
         merged.push_back(std::move(*whole));
         continue;
       }
+      // What is no quad together stays divided.
       for (int one : group) {
         merged.push_back({{one}, regions_[static_cast<std::size_t>(one)], {}});
       }
@@ -67,6 +68,7 @@ class RegionMerger {
       });
       side = at + 1 == loop.end() ? loop.front() : *(at + 1);
       if (is_open(side))
+        // Across the edge, into the loop of the other region, which runs against it.
         side.is_along = !side.is_along;
       else
         return side;
@@ -91,6 +93,7 @@ class RegionMerger {
          side.edge != loop.front().edge || side.is_along != loop.front().is_along;
          side = after(side)) {
       loop.push_back(side);
+      // Round and round without coming back to the first one.
       if (loop.size() > border.size()) return std::nullopt;
     }
     // More than one way around is no disc.
