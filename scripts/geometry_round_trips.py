@@ -47,14 +47,6 @@ def offset_rows():
     return module
 
 
-def triangles_of(surface, parts=PARTS):
-    """(points, triangles) of a LimitSurface."""
-    facets = surface.tessellate(parts)
-    quads = facets.quads
-    triangles = np.concatenate([quads[:, [0, 1, 2]], quads[:, [0, 2, 3]]])
-    return np.asarray(facets.points), triangles
-
-
 def _stations(vessel):
     """At Lpp / 20, and on to both ends, as the add-on has them."""
     points, length = vessel.surface.mesh.points, vessel.data.particulars.length_pp
@@ -90,7 +82,7 @@ def write_bare(vessel, path):
 
 
 def write_stl(vessel, path):
-    hull_io.write_stl(path, *triangles_of(vessel.surface))
+    hull_io.write_stl(path, *vessels.triangles_of(vessel.surface, PARTS))
 
 
 def write_step(vessel, path):
@@ -131,7 +123,7 @@ def main_part(surface):
     from hull_fitting.triangle_edges import components, edge_table
     from hull_io.triangles import normals_of
 
-    points, triangles = triangles_of(surface, 6)
+    points, triangles = vessels.triangles_of(surface, 6)
     _, first, which = np.unique(points.round(6), axis=0, return_index=True, return_inverse=True)
     points, triangles = points[first], which.reshape(-1)[triangles]
     table = edge_table(triangles)

@@ -105,23 +105,6 @@ def draw_edges(context, network, view, top, width, with_nodes):
         context.fill()
 
 
-def shown(colours, view):
-    height, width = view.height // FINER, view.width // FINER
-    fine = colours.reshape(view.height, view.width, 3)[: height * FINER, : width * FINER]
-    return fine.reshape(height, FINER, width, FINER, 3).mean(axis=(1, 3))
-
-
-def image(dots):
-    height, width = dots.shape[:2]
-    stride = cairo.ImageSurface.format_stride_for_width(cairo.FORMAT_RGB24, width)
-    buffer = np.zeros((height, stride), dtype=np.uint8)
-    bytes_ = np.round(255.0 * np.clip(dots, 0.0, 1.0)).astype(np.uint8)
-    buffer[:, : 4 * width].reshape(height, width, 4)[..., :3] = bytes_[..., ::-1]
-    return cairo.ImageSurface.create_for_data(
-        buffer.data, cairo.FORMAT_RGB24, width, height, stride
-    )
-
-
 def write(path, network):
     view = view_of(network)
     seen = seen_surface.Seen(view)
@@ -134,7 +117,7 @@ def write(path, network):
     draw_edges(context, network, view, 0.0, 1.1, with_nodes=True)
     words = "(a) curves and nodes: border black, knuckles of the surface orange, smooth blue"
     paper.text(context, (0.5 * WIDTH, height + 0.6 * FOOT), words, 17.0)
-    context.set_source_surface(image(shown(reflected(seen), view)), 0, height + FOOT)
+    context.set_source_surface(paper.image(view.shown(reflected(seen), FINER)), 0, height + FOOT)
     context.paint()
     words = f"(b) the surface of its {network.region_count} patches, mirroring bands of light"
     paper.text(context, (0.5 * WIDTH, 2 * height + 1.6 * FOOT), words, 17.0)

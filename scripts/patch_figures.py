@@ -125,13 +125,6 @@ def paint_borders(colours, seen, points):
                 colours[at_row * seen.view.width + at_column] = BORDER
 
 
-def shown(colours, view):
-    """(height, width, 3) with FINER x FINER dots made one."""
-    height, width = view.height // FINER, view.width // FINER
-    fine = colours.reshape(view.height, view.width, 3)[: height * FINER, : width * FINER]
-    return fine.reshape(height, FINER, width, FINER, 3).mean(axis=(1, 3))
-
-
 def write_page(path, pictures, legend):
     """Pictures (h, w, 3) with their words, in two columns; legend: whether there is one."""
     height, width = pictures[0][1].shape[:2]
@@ -143,7 +136,7 @@ def write_page(path, pictures, legend):
     context.paint()
     for number, (words, dots) in enumerate(pictures):
         left, top = number % 2 * (width + GAP), number // 2 * (height + FOOT)
-        context.set_source_surface(image(dots), left, top)
+        context.set_source_surface(paper.image(dots), left, top)
         context.paint()
         label = f"({chr(ord('a') + number)}) {words}"
         paper.text(context, (left + 0.5 * width, top + height + 0.62 * FOOT), label, 17.0)
@@ -165,18 +158,6 @@ def _paint_legend(context, width, top):
         paper.text(context, (at, top + 0.85 * FOOT), name, 15.0)
 
 
-def image(dots):
-    """A cairo surface of colours (h, w, 3) in [0, 1]."""
-    height, width = dots.shape[:2]
-    stride = cairo.ImageSurface.format_stride_for_width(cairo.FORMAT_RGB24, width)
-    buffer = np.zeros((height, stride), dtype=np.uint8)
-    bytes_ = np.round(255.0 * np.clip(dots, 0.0, 1.0)).astype(np.uint8)
-    buffer[:, : 4 * width].reshape(height, width, 4)[..., :3] = bytes_[..., ::-1]
-    return cairo.ImageSurface.create_for_data(
-        buffer.data, cairo.FORMAT_RGB24, width, height, stride
-    )
-
-
 def main():
     folder = Path(sys.argv[1])
     folder.mkdir(parents=True, exist_ok=True)
@@ -194,7 +175,7 @@ def main():
             colours = reflections(seen, BAND_FACTOR[name])
             if shape.patches is not None:
                 paint_borders(colours, seen, seen_surface.border_points(shape.patches, view))
-            mirrors.append((shape.words, shown(colours, view)))
+            mirrors.append((shape.words, view.shown(colours, FINER)))
             if shape.has_distance:
                 apart.append((shape.words, distance_colours(seen, surface)))
         write_page(folder / f"patches-{name}-reflection.png", mirrors, legend=False)

@@ -27,6 +27,11 @@ def surface_of(data):
     return hn.LimitSurface(hn.ControlMesh(*shell.arguments()), data.scheme)
 
 
+def surface_of_sample(name):
+    """The same of a sample, one of its own."""
+    return surface_of(hull_io.read_hull(SAMPLES / (name + _ENDING)))
+
+
 def curves_of(surface, stations, waterlines, tolerance, **more):
     """The hull_native.NetworkCurves of so many stations and waterlines, evenly spaced, and of
     borders and creases; tolerance: of the length. more: other arguments of network_curves."""
@@ -40,6 +45,14 @@ def curves_of(surface, stations, waterlines, tolerance, **more):
         tolerance=tolerance * (high[0] - low[0]),
         **more,
     )
+
+
+def triangles_of(surface, parts=8):
+    """(points, triangles) of a LimitSurface, each cell's side in so many parts."""
+    facets = surface.tessellate(parts)
+    quads = facets.quads
+    triangles = np.concatenate([quads[:, [0, 1, 2]], quads[:, [0, 2, 3]]])
+    return np.asarray(facets.points), triangles
 
 
 def even(low, high, count):

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "bindings/arrays.h"
+#include "bindings/planes.h"
 #include "bindings/production_classes.h"
 #include "bindings/progress.h"
 #include "production/models/hollow.h"
@@ -18,12 +19,6 @@ using production::ClosedModel;
 using production::HollowModel;
 using production::ModelSegment;
 using production::ModelSegments;
-
-int cut_axis_from(const std::string& name) {
-  const std::size_t axis = std::string("xyz").find(name);
-  if (name.size() == 1 && axis != std::string::npos) return static_cast<int>(axis);
-  throw std::invalid_argument("An axis is \"x\", \"y\" or \"z\", not \"" + name + "\".");
-}
 
 production::SegmentMaking making_from(const std::string& name) {
   if (name == "milling") return production::SegmentMaking::kMilling;
@@ -118,7 +113,7 @@ void bind_model_parts(py::module_& module) {
   module.def(
       "cut_model",
       [](const ClosedModel& model, const std::string& axis, double at) {
-        const int number = cut_axis_from(axis);
+        const int number = static_cast<int>(axis_from(axis));
         const py::gil_scoped_release release;
         production::CutModel parts = production::cut(model, number, at);
         return std::pair(std::move(parts.below), std::move(parts.above));

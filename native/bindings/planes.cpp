@@ -6,6 +6,13 @@
 
 namespace hull::bindings {
 
+analysis::Axis axis_from(const std::string& name) {
+  if (name == "x") return analysis::Axis::kX;
+  if (name == "y") return analysis::Axis::kY;
+  if (name == "z") return analysis::Axis::kZ;
+  throw std::invalid_argument("An axis is \"x\", \"y\" or \"z\", not \"" + name + "\".");
+}
+
 analysis::Plane plane_from(const Vector3d& normal, double offset, const std::string& name) {
   const double length = normal.norm();
   if (!(length > 0.0) || !std::isfinite(length) || !std::isfinite(offset)) {

@@ -5,12 +5,16 @@
 #include <vector>
 
 #include "analysis/sections/plane_cut.h"
+#include "analysis/sections/sections.h"
 #include "bindings/arrays.h"
 
 namespace hull::bindings {
 
 // Of the mesh's size, unless given: how far chords may be from the curve that they are drawn for.
 inline constexpr double kChordTolerance = 1e-5;
+
+// "x", "y" or "z"; raises ValueError for anything else.
+analysis::Axis axis_from(const std::string& name);
 
 // The plane normal·x = offset, for a normal of any length. Raises ValueError, with the name, for
 // what is no plane.

@@ -14,13 +14,6 @@
 namespace hull::bindings {
 namespace {
 
-analysis::Axis axis_from(const std::string& name) {
-  if (name == "x") return analysis::Axis::kX;
-  if (name == "y") return analysis::Axis::kY;
-  if (name == "z") return analysis::Axis::kZ;
-  throw std::invalid_argument("axis is \"x\", \"y\" or \"z\", not \"" + name + "\".");
-}
-
 analysis::SectionOptions options_from(const surface::LimitSurface& surface,
                                       const std::optional<double>& chord_tolerance,
                                       const std::optional<double>& flat_tolerance) {

@@ -98,6 +98,19 @@ class CheckedJson:
             )
         return value
 
+    def faces_apart(self, value, where, count, seen):
+        """A list of one or more of `count` faces, of which none is in the set `seen`: they are put
+        into it."""
+        faces = self.list(value, where)
+        if not faces:
+            raise self.error(where, "it is empty", "name at least one face")
+        for place, face in enumerate(faces):
+            self.index(face, f"{where}[{place}]", count, "face")
+            if face in seen:
+                raise self.error(f"{where}[{place}]", "it is named twice", "name it once")
+            seen.add(face)
+        return faces
+
     def choice(self, value, where, choices):
         """One of some texts."""
         if value not in choices:

@@ -30,14 +30,7 @@ def _region(check, value, where, face_count, seen):
     for key in _REQUIRED:
         if key not in entries:
             raise check.error(f"{where}.{key}", "it is missing", "add it")
-    faces = check.list(entries["faces"], f"{where}.faces")
-    if not faces:
-        raise check.error(f"{where}.faces", "it is empty", "name at least one face")
-    for place, face in enumerate(faces):
-        check.index(face, f"{where}.faces[{place}]", face_count, "face")
-        if face in seen:
-            raise check.error(f"{where}.faces[{place}]", "it is named twice", "name it once")
-        seen.add(face)
+    faces = check.faces_apart(entries["faces"], f"{where}.faces", face_count, seen)
     return Developable(
         list(faces),
         check.number(entries["warp"], f"{where}.warp", LEAST_WARP, LARGEST_WARP),

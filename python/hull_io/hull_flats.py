@@ -29,14 +29,7 @@ def _flat(check, value, where, face_count, seen):
     for key in _KEYS:
         if key not in entries:
             raise check.error(f"{where}.{key}", "it is missing", "add it")
-    faces = check.list(entries["faces"], f"{where}.faces")
-    if not faces:
-        raise check.error(f"{where}.faces", "it is empty", "name at least one face")
-    for place, face in enumerate(faces):
-        check.index(face, f"{where}.faces[{place}]", face_count, "face")
-        if face in seen:
-            raise check.error(f"{where}.faces[{place}]", "it is named twice", "name it once")
-        seen.add(face)
+    faces = check.faces_apart(entries["faces"], f"{where}.faces", face_count, seen)
     normal = tuple(
         check.number(part, f"{where}.normal", -1.0, 1.0)
         for part in check.list(entries["normal"], f"{where}.normal", 3)

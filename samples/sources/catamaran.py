@@ -6,7 +6,7 @@ The mesh is the whole of the port demihull, outer and inner side; its border is 
 
 import numpy as np
 
-from .mesh import SHELL, TRANSOM, Mesh, faired, largest, spline
+from .mesh import SHELL, TRANSOM, Mesh, by_station, faired, largest
 
 FEATURES = {
     "demihull off the centre plane": "the mesh is symmetric about y = 4.05 m, mirrored on y = 0",
@@ -62,19 +62,13 @@ STEM = ((30.28, 0.62), (30.62, 1.24), (30.98, 2.12), (31.45, 3.18), (31.97, 4.42
 STIFFNESS = 10.0
 
 
-def by_station(values):
-    table = np.array(list(values.values()))
-    shape = (len(STATIONS), *table.shape[1:])
-    return spline(list(values), table.reshape(len(table), -1))(STATIONS).reshape(shape)
-
-
 def outer_side():
     """Points (sections, rows, 3) of the outer side, from the keel to the deck, without the stem; y
     from the demihull's middle."""
-    parts, bottom = by_station(ROUND), by_station(BOTTOM)[:, None]
+    parts, bottom = by_station(ROUND, STATIONS), by_station(BOTTOM, STATIONS)[:, None]
     x = np.repeat(STATIONS[:, None], parts.shape[2], axis=1)
-    y = parts[:, 0] * by_station(DECK)[:, None]
-    z = bottom + parts[:, 1] * (by_station(DECK_Z)[:, None] - bottom)
+    y = parts[:, 0] * by_station(DECK, STATIONS)[:, None]
+    z = bottom + parts[:, 1] * (by_station(DECK_Z, STATIONS)[:, None] - bottom)
     # Forward the sections lean as the stem does.
     x = x + 0.4 * np.clip((x - 16.0) / 13.4, 0.0, None) ** 2 * (z - bottom)
     grid = np.stack([x, y, z], axis=-1)

@@ -138,6 +138,13 @@ def _edges(chain):
     return {(min(a, b), max(a, b)) for a, b in zip(chain, chain[1:]) if a != b}
 
 
+def by_station(values, stations):
+    """A dictionary's values by x, at the stations: the same shape for each."""
+    table = np.array(list(values.values()))
+    shape = (len(stations), *table.shape[1:])
+    return spline(list(values), table.reshape(len(table), -1))(stations).reshape(shape)
+
+
 def spline(places, values, start=None, end=None):
     """A function of one number through values at rising places, curved as little as may be.
 

@@ -8,7 +8,7 @@ the bottom of the bulb.
 
 import numpy as np
 
-from .mesh import SHELL, TRANSOM, Mesh, faired, largest, spline
+from .mesh import SHELL, TRANSOM, Mesh, by_station, faired, largest
 
 FEATURES = {
     "canoe body": "the layers Shell and Transom: twelve sections and the stem, eight rows",
@@ -123,16 +123,9 @@ BULB_NOSE, BULB_TAIL, BULB_Z = 7.0, 4.3, 0.2315
 RING = ((0.0, 0.8), (0.60, 0.76), (1.14, 0.0), (0.60, -0.76), (0.0, -0.8))
 
 
-def by_station(values):
-    """A dictionary's values by x, at the stations: the same shape for each."""
-    table = np.array(list(values.values()))
-    shape = (len(STATIONS), *table.shape[1:])
-    return spline(list(values), table.reshape(len(table), -1))(STATIONS).reshape(shape)
-
-
 def canoe_body_points():
     """Points (sections, rows, 3) without the stem."""
-    parts, bottom = by_station(ROUND), by_station(ROCKER)[:, None]
+    parts, bottom = by_station(ROUND, STATIONS), by_station(ROCKER, STATIONS)[:, None]
     top = 3.44 + 0.004 * np.clip(STATIONS - 2.5, 0.0, None)[:, None] ** 2
     x = np.repeat(STATIONS[:, None], parts.shape[2], axis=1)
     y = parts[:, 0] * np.array(SHEER)[:, None]

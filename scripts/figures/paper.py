@@ -4,6 +4,7 @@
 import math
 
 import cairo
+import numpy as np
 
 FONT = "DejaVu Sans"
 DOTS_PER_MM = 8.0
@@ -87,3 +88,15 @@ def _put(surface, image, scale):
     context.set_source_surface(image)
     context.get_source().set_filter(cairo.FILTER_BEST)
     context.paint()
+
+
+def image(dots):
+    """A cairo surface of colours (h, w, 3) in [0, 1]."""
+    height, width = dots.shape[:2]
+    stride = cairo.ImageSurface.format_stride_for_width(cairo.FORMAT_RGB24, width)
+    buffer = np.zeros((height, stride), dtype=np.uint8)
+    bytes_ = np.round(255.0 * np.clip(dots, 0.0, 1.0)).astype(np.uint8)
+    buffer[:, : 4 * width].reshape(height, width, 4)[..., :3] = bytes_[..., ::-1]
+    return cairo.ImageSurface.create_for_data(
+        buffer.data, cairo.FORMAT_RGB24, width, height, stride
+    )

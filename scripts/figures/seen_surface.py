@@ -39,6 +39,12 @@ class View:
         y = (self.window[3] - points @ self.up) * self.dots_per_metre
         return np.stack([x, y], axis=-1)
 
+    def shown(self, colours, finer):
+        """(height, width, 3) of the colours (dots, 3): finer x finer dots made one."""
+        height, width = self.height // finer, self.width // finer
+        fine = colours.reshape(self.height, self.width, 3)[: height * finer, : width * finer]
+        return fine.reshape(height, finer, width, finer, 3).mean(axis=(1, 3))
+
 
 class Seen:
     """The nearest point and its normal for each dot of a view; NaN where nothing is."""

@@ -2,6 +2,7 @@
 """Finds the installed add-on, whatever Blender calls it, and makes small hulls for the tests."""
 
 import importlib
+import importlib.util
 from pathlib import Path
 
 import bpy
@@ -51,7 +52,7 @@ def add_hull(name="box"):
     return box
 
 
-def sample(name):
+def sample(name="coaster"):
     """A sample hull, active."""
     bpy.ops.hull.load_sample(name=name)
     return bpy.context.view_layer.objects.active
@@ -115,3 +116,27 @@ def shown_points(surface, hull):
     on_plane = np.abs(points[:, 1]) < 1e-8
     points[on_plane, 1] = 0.0
     return np.concatenate([points, points[~on_plane] * [1.0, -1.0, 1.0]])
+
+
+def fresh_surface_points(hull):
+    """The hull's surface points in metres, computed anew from its mesh; both sides."""
+    arrays, native = part("bridge.mesh.mesh_arrays"), part("bridge.native").require()
+    control = arrays.control_arrays(arrays.read_mesh(hull.data), 1.0)
+    surface = native.LimitSurface(native.ControlMesh(*control.arguments()))
+    return shown_points(surface, hull)
+
+
+def broaden(hull, by):
+    """Moves the points of the port side outwards, in Blender's units."""
+    for vertex in hull.data.vertices:
+        vertex.co.y += by if vertex.co.y > 0.0 else 0.0
+    hull.data.update_tag()
+    bpy.context.view_layer.update()
+
+
+def by_path(name):
+    """The module of this name among the tests of plain Python."""
+    spec = importlib.util.spec_from_file_location(name, ROOT / "tests" / "python" / f"{name}.py")
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module

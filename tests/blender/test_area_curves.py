@@ -4,15 +4,10 @@
 import bpy
 import numpy as np
 import pytest
-from addon_under_test import add_hull, part, state_of
+from addon_under_test import add_hull, part, sample, state_of
 
 # Points and handles are kept in single precision.
 SINGLE = 3e-6
-
-
-def sample(name="coaster"):
-    bpy.ops.hull.load_sample(name=name)
-    return bpy.context.view_layer.objects.active
 
 
 def points_of(hull):

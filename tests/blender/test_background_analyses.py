@@ -7,7 +7,7 @@ import addon_utils
 import bpy
 import numpy as np
 import pytest
-from addon_under_test import add_hull, compute, module_name, part, state_of
+from addon_under_test import add_hull, broaden, compute, module_name, part, state_of
 
 NAME = "righting_levers"
 
@@ -34,13 +34,6 @@ def take_finished():
 
 def threads():
     return [one for one in threading.enumerate() if one.name.startswith("hull analysis")]
-
-
-def move(hull, by):
-    for vertex in hull.data.vertices:
-        vertex.co.y += by if vertex.co.y > 0.0 else 0.0
-    hull.data.update_tag()
-    bpy.context.view_layer.update()
 
 
 @pytest.fixture(autouse=True)
@@ -92,7 +85,7 @@ def test_the_last_result_stays_until_there_is_a_newer_one(gate):
     first, is_current = latest(hull)
     assert is_current
     gate.clear()
-    move(hull, 0.5)
+    broaden(hull, 0.5)
     begin(hull)
     assert latest(hull) == (first, False)
     gate.set()
@@ -115,7 +108,7 @@ def test_edits_do_not_reach_what_is_being_computed(gate):
     assert gate.begun.acquire(timeout=30.0)
     part("features.analyses.live_analyses").begin([(hull.name, "criteria")])
     for _ in range(20):
-        move(hull, 0.05)
+        broaden(hull, 0.05)
     gate.set()
     take_finished()
     (_, outcome) = part("features.analyses").known(state_of(hull)).outcomes["criteria"]
@@ -128,7 +121,7 @@ def test_only_the_newest_of_those_that_wait_is_computed(gate):
     begin(hull)
     assert gate.begun.acquire(timeout=30.0)
     for _ in range(5):
-        move(hull, 0.1)
+        broaden(hull, 0.1)
         begin(hull)
         begin(hull)  # asked for twice, computed once
     gate.set()
@@ -143,7 +136,7 @@ def test_what_came_too_late_is_shown_as_out_of_date(gate):
     hull.hull.plots.righting_levers = True
     begin(hull)
     assert gate.begun.acquire(timeout=30.0)
-    move(hull, 0.5)
+    broaden(hull, 0.5)
     gate.set()
     take_finished()
     live = part("features.analyses.live_analyses")

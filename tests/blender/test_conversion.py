@@ -11,7 +11,7 @@ import addon_utils
 import bpy
 import numpy as np
 import pytest
-from addon_under_test import add_hull, make_active, module_name, part, state_of
+from addon_under_test import add_hull, broaden, make_active, module_name, part, state_of
 
 pytestmark = pytest.mark.once
 
@@ -22,13 +22,6 @@ def outcome_of(hull):
 
 def begin(hull):
     return part("features.conversion.conversions").begin(hull, bpy.context.scene)
-
-
-def move(hull, by):
-    for vertex in hull.data.vertices:
-        vertex.co.y += by if vertex.co.y > 0.0 else 0.0
-    hull.data.update_tag()
-    bpy.context.view_layer.update()
 
 
 def threads():
@@ -99,12 +92,12 @@ def test_the_report_is_of_the_hull_and_settings_as_they_are():
     hull.hull.draft = 1.0
     bpy.context.view_layer.update()
     assert outcome_of(hull) == (first, True)
-    move(hull, 0.5)
+    broaden(hull, 0.5)
     assert outcome_of(hull) == (first, False)
     bpy.ops.hull.convert()
     second, is_current = outcome_of(hull)
     assert is_current and second is not first
-    move(hull, -0.5)
+    broaden(hull, -0.5)
     assert outcome_of(hull) == (first, True)
 
 
@@ -113,7 +106,7 @@ def test_undo_brings_the_report_back():
     bpy.ops.hull.convert()
     first = outcome_of(bpy.data.objects[name])[0]
     bpy.ops.ed.undo_push(message="converted")
-    move(bpy.data.objects[name], 0.5)
+    broaden(bpy.data.objects[name], 0.5)
     bpy.ops.ed.undo_push(message="moved")
     assert not outcome_of(bpy.data.objects[name])[1]
     bpy.ops.ed.undo()
@@ -217,7 +210,7 @@ def test_edits_do_not_reach_what_is_being_converted(gate):
     task = begin(hull)
     assert gate.begun.acquire(timeout=30.0)
     for _ in range(20):
-        move(hull, 0.05)
+        broaden(hull, 0.05)
     gate.set()
     points = task.result().patches.positions([0, 1, 2, 3], np.full((4, 2), 0.5))
     assert points[:, 1].max() == pytest.approx(2.0)
@@ -331,7 +324,7 @@ def test_nothing_runs_after_the_addon_was_disabled(gate):
 
 def test_two_hulls_have_their_own(gate):
     first, second = add_hull("first"), add_hull("second")
-    move(second, 1.0)
+    broaden(second, 1.0)
     tasks = [begin(first), begin(second)]
     gate.set()
     for hull, task, breadth in zip((first, second), tasks, (2.0, 3.0)):
@@ -343,7 +336,7 @@ def test_two_hulls_have_their_own(gate):
 
 def test_nothing_is_converted_unasked(gate):
     hull = add_hull()
-    move(hull, 0.5)
+    broaden(hull, 0.5)
     hull.hull.export.tolerance = 1e-7
     bpy.context.view_layer.update()
     part("features.conversion.conversions").request(hull)  # no window: nobody looks
@@ -437,7 +430,7 @@ def test_the_report_is_written_as_text_and_json(tmp_path):
     quality = outcome_of(hull)[0].converted.quality
     assert (tmp_path / "report.txt").read_text(encoding="utf-8") == quality.text()
     assert isinstance(json.loads((tmp_path / "report.json").read_text(encoding="utf-8")), dict)
-    move(hull, 0.5)
+    broaden(hull, 0.5)
     with pytest.raises(RuntimeError, match="Convert first"):
         bpy.ops.hull.export_report(filepath=str(tmp_path / "other.txt"))
     assert sorted(path.name for path in tmp_path.iterdir()) == ["report.json", "report.txt"]

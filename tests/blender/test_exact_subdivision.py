@@ -5,7 +5,7 @@ import bmesh
 import bpy
 import numpy as np
 import pytest
-from addon_under_test import HALF_BREADTH, ROOT, add_hull, mesh_points, part, state_of
+from addon_under_test import HALF_BREADTH, ROOT, add_hull, mesh_points, part, sample, state_of
 from edited_hulls import at, edit, faces_in, grid_hull, keys, select, selected
 
 SAMPLES = sorted(path.name[: -len(".hull.json")] for path in (ROOT / "samples").glob("*.hull.json"))
@@ -20,11 +20,6 @@ QUARTERS = (
     ((1, 1), (-1, 0), (0, -1)),
     ((0, 1), (0, -1), (1, 0)),
 )
-
-
-def sample(name):
-    bpy.ops.hull.load_sample(name=name)
-    return bpy.context.view_layer.objects.active
 
 
 def subdivide(hull):

@@ -5,12 +5,7 @@ or beyond stays, and what would fold is refused."""
 import bpy
 import numpy as np
 import pytest
-from addon_under_test import part
-
-
-def sample(name="coaster"):
-    bpy.ops.hull.load_sample(name=name)
-    return bpy.context.view_layer.objects.active
+from addon_under_test import part, sample
 
 
 def points_of(hull):

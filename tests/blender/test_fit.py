@@ -6,15 +6,10 @@ import struct
 import bpy
 import numpy as np
 import pytest
-from addon_under_test import add_hull, make_active, part, state_of
+from addon_under_test import add_hull, make_active, part, sample, state_of
 from edited_hulls import centre_normals
 
 SEED = 1122
-
-
-def sample(name="coaster"):
-    bpy.ops.hull.load_sample(name=name)
-    return bpy.context.view_layer.objects.active
 
 
 def points_of(hull):

@@ -6,12 +6,11 @@ written.
 HULL_ALL_COPIES=1 tries all copies, not a few of each hull, and writes the largest to STEP too.
 """
 
-import importlib.util
 import os
 
 import bpy
 import pytest
-from addon_under_test import ROOT, SHARED, hull_io, make_active, part
+from addon_under_test import SHARED, by_path, hull_io, make_active, part
 
 pytestmark = pytest.mark.once
 
@@ -28,14 +27,7 @@ BUTTONS = {
 }
 
 
-def _by_path(name):
-    spec = importlib.util.spec_from_file_location(name, ROOT / "tests" / "python" / f"{name}.py")
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
-
-
-hulls_of_others = _by_path("hulls_of_others")
+hulls_of_others = by_path("hulls_of_others")
 
 
 def names():
@@ -45,13 +37,6 @@ def names():
 def copies_of(name):
     data = hull_io().read_hull(FOLDER / name)
     return hulls_of_others.copies(data, SEED, hull_io("mirror").mirror_faces)
-
-
-def pairs():
-    if not names():
-        return []
-    kinds = list(copies_of(names()[0]))
-    return list(hulls_of_others.chosen(names(), kinds, 0 if ALL else FEW))
 
 
 def hull_of(data):
@@ -87,7 +72,9 @@ def volume(state):
     return found.displaced_volume
 
 
-@pytest.mark.parametrize("name, kind", pairs())
+@pytest.mark.parametrize(
+    "name, kind", hulls_of_others.chosen_copies(names(), copies_of, 0 if ALL else FEW)
+)
 def test_a_copy_is_mended_by_its_buttons(name, kind, tmp_path):
     data = copies_of(name)[kind]
     wanted = hull_of(hull_io().read_hull(FOLDER / name))

@@ -6,23 +6,14 @@ import re
 
 import bpy
 import pytest
-from addon_under_test import add_hull, make_active, part, sample, state_of
+from addon_under_test import add_hull, by_path, make_active, part, sample, state_of
 
-FACES = [(0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5)]
+boxes_of_points = by_path("boxes_of_points")
 
 
 def boxes(*ends):
     """A whole hull of boxes (low, high), all edges knuckles; water at z = 2."""
-    points, faces = [], []
-    for low, high in ends:
-        first = len(points)
-        points += [
-            (x, y, z)
-            for z in (low[2], high[2])
-            for y in (low[1], high[1])
-            for x in (low[0], high[0])
-        ]
-        faces += [tuple(first + i for i in face) for face in FACES]
+    points, faces = boxes_of_points.points_and_faces(ends)
     mesh = bpy.data.meshes.new("boxes")
     mesh.from_pydata(points, [], faces)
     part("bridge.blender.blender_versions").set_creases(mesh, range(len(mesh.edges)), [])

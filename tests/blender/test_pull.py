@@ -5,7 +5,7 @@ import bmesh
 import bpy
 import numpy as np
 import pytest
-from addon_under_test import part, state_of
+from addon_under_test import part, sample, state_of
 from edited_hulls import at, centre_normals, edit, grid_hull, select
 
 SEED = 1122
@@ -26,11 +26,6 @@ def place_now(hull, grip):
     control = arrays.control_arrays(arrays.read_mesh(hull.data), scale)
     surface = native.LimitSurface(native.ControlMesh(*control.arguments()), hull.hull.scheme)
     return surface.positions([grip.cell], grip.uv[None])[0]
-
-
-def sample(name="coaster"):
-    bpy.ops.hull.load_sample(name=name)
-    return bpy.context.view_layer.objects.active
 
 
 def test_a_point_lands_on_its_target():

@@ -6,15 +6,10 @@ import bmesh
 import bpy
 import numpy as np
 import pytest
-from addon_under_test import ROOT, mesh_points, part, state_of
+from addon_under_test import ROOT, mesh_points, part, sample, state_of
 from edited_hulls import at, edit, grid_hull, select, selected
 
 SAMPLES = sorted(path.name[: -len(".hull.json")] for path in (ROOT / "samples").glob("*.hull.json"))
-
-
-def sample(name):
-    bpy.ops.hull.load_sample(name=name)
-    return bpy.context.view_layer.objects.active
 
 
 def surface_of(hull):

@@ -12,10 +12,10 @@ import pytest
 from addon_under_test import (
     LENGTH,
     add_hull,
+    fresh_surface_points,
     make_active,
     mesh_points,
     part,
-    shown_points,
     state_of,
 )
 
@@ -116,13 +116,6 @@ class Session:
         bpy.ops.wm.save_as_mainfile(filepath=str(self.folder / "session.blend"))
 
 
-def fresh_points(hull):
-    arrays, native = part("bridge.mesh.mesh_arrays"), part("bridge.native").require()
-    control = arrays.control_arrays(arrays.read_mesh(hull.data), 1.0)
-    surface = native.LimitSurface(native.ControlMesh(*control.arguments()))
-    return shown_points(surface, hull)
-
-
 def assert_all_is_in_step(session, where):
     hulls = session.hulls()
     surfaces = [hull.hull.surface_object for hull in hulls]
@@ -133,7 +126,7 @@ def assert_all_is_in_step(session, where):
         assert surface.parent == hull and hull.hide_get() == surface.hide_get(), where
         if hull.hide_get():
             continue
-        wanted = fresh_points(hull)
+        wanted = fresh_surface_points(hull)
         assert not state_of(hull).status, where
         assert mesh_points(surface).shape == wanted.shape, where
         assert np.abs(mesh_points(surface) - wanted).max() <= 1e-5 * LENGTH, where

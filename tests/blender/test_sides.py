@@ -12,17 +12,13 @@ from addon_under_test import (
     make_active,
     mesh_points,
     part,
+    sample,
     state_of,
 )
 from edited_hulls import faces_in
 
 NUMBERS = ("displaced_volume", "wetted_surface", "waterplane_area", "lcb", "kb", "kmt", "lcf")
 ALIKE = 1e-7  # live numbers are integrated to 1e-8
-
-
-def sample(name):
-    bpy.ops.hull.load_sample(name=name)
-    return bpy.context.object
 
 
 def numbers(hull):

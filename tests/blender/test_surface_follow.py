@@ -7,15 +7,7 @@ import bmesh
 import bpy
 import numpy as np
 import pytest
-from addon_under_test import LENGTH, add_hull, mesh_points, part, shown_points, state_of
-
-
-def fresh_surface_points(hull):
-    """The hull's surface points in metres, computed anew from its mesh; both sides."""
-    arrays, native = part("bridge.mesh.mesh_arrays"), part("bridge.native").require()
-    control = arrays.control_arrays(arrays.read_mesh(hull.data), 1.0)
-    surface = native.LimitSurface(native.ControlMesh(*control.arguments()))
-    return shown_points(surface, hull)
+from addon_under_test import LENGTH, add_hull, fresh_surface_points, mesh_points, part, state_of
 
 
 def assert_surface_is_fresh(hull):

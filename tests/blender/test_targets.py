@@ -6,15 +6,10 @@ import bmesh
 import bpy
 import numpy as np
 import pytest
-from addon_under_test import part, state_of
+from addon_under_test import part, sample, state_of
 
 # Points are kept in single precision: what that leaves of a number, relative.
 SINGLE = 2e-6
-
-
-def sample(name="coaster"):
-    bpy.ops.hull.load_sample(name=name)
-    return bpy.context.view_layer.objects.active
 
 
 def points_of(hull):

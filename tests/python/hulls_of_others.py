@@ -42,6 +42,11 @@ def chosen(names, kinds, few):
         yield from ((name, kind) for kind in wanted)
 
 
+def chosen_copies(names, copies_of, few):
+    """The same of the hulls of these names and their copies by kind, copies_of(name)."""
+    return list(chosen(names, list(copies_of(names[0])), few)) if names else []
+
+
 def copies(data, seed, mirror_faces):
     """{name: HullData}; the same for the same arguments. mirror_faces: that of hull_io."""
     made = {f"noise {noise:g}": noisy(data, noise, seed) for noise in NOISES}

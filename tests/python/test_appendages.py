@@ -4,6 +4,7 @@ way."""
 
 import math
 
+import boxes_of_points
 import hull_native as hn
 import numpy as np
 import pytest
@@ -11,21 +12,11 @@ from transformation_hulls import Sample
 
 UP = (0.0, 0.0, 1.0)
 LENGTH, BEAM, DEPTH = 10.0, 4.0, 3.0
-FACES = [(0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5)]
 
 
 def boxes(*ends):
     """ControlMesh of boxes between corners (low, high), all edges knuckles, all points corners."""
-    points, faces = [], []
-    for low, high in ends:
-        first = len(points)
-        points += [
-            (x, y, z)
-            for z in (low[2], high[2])
-            for y in (low[1], high[1])
-            for x in (low[0], high[0])
-        ]
-        faces += [tuple(first + i for i in face) for face in FACES]
+    points, faces = boxes_of_points.points_and_faces(ends)
     sides = {tuple(sorted(s)) for f in faces for s in zip(f, f[1:] + f[:1])}
     return hn.ControlMesh(
         np.array(points),

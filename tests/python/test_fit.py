@@ -3,21 +3,16 @@
 
 from pathlib import Path
 
-import hull_io
 import hull_native as hn
 import numpy as np
 import pytest
+from vessels import surface_of_sample
 
 ROOT = Path(__file__).resolve().parents[2]
 
 SEED = 20261122
 SHAKEN = 0.02  # of the beam
 SAMPLES = sorted(path.name.split(".")[0] for path in (ROOT / "samples").glob("*.hull.json"))
-
-
-def surface_of(name):
-    shell = hull_io.shell_arrays(hull_io.read_hull(ROOT / "samples" / f"{name}.hull.json"))
-    return hn.LimitSurface(hn.ControlMesh(*shell.arguments()))
 
 
 def samples_of(surface, n):
@@ -67,7 +62,7 @@ def farthest(a, b):
 
 @pytest.mark.parametrize("name", SAMPLES)
 def test_a_sample_comes_back(name):
-    surface = surface_of(name)
+    surface = surface_of_sample(name)
     length = np.ptp(surface.mesh.points[:, 0])
     # Keels and rudders by their own beam: they are thinner than a ship's beam's 2 %.
     bodies, breadths = bodies_of(surface.mesh), surface.mesh.points[:, 1]
@@ -87,7 +82,7 @@ def test_rounding_of_the_target_decides_nothing(name):
     """Places on creases and borders belong to several cells, and targets on them have no direction:
     what of it counts must not depend on the last digits. The points answer as the target changes,
     over four decades. A quarter of a per cent of the beam is what the target is moved by."""
-    surface = surface_of(name)
+    surface = surface_of_sample(name)
     beam = 2 * np.abs(surface.mesh.points[:, 1]).max()
     targets = samples_of(surface, 2)
     targets[:, 1] += 0.0025 * beam * np.sin(targets[:, 0] / beam)
@@ -99,7 +94,7 @@ def test_rounding_of_the_target_decides_nothing(name):
 
 
 def test_the_report_is_of_the_surface_it_gives():
-    surface = surface_of("barge")
+    surface = surface_of_sample("barge")
     start = shaken(surface, np.random.default_rng(SEED), 0.1)
     targets = samples_of(surface, 3)
     normals = np.tile([0.0, 0.0, -1.0], (len(targets), 1))
@@ -126,7 +121,7 @@ def test_the_report_is_of_the_surface_it_gives():
 
 
 def test_fairness_takes_away_a_dent_and_stiffness_keeps_it():
-    surface = surface_of("coaster")
+    surface = surface_of_sample("coaster")
     points = surface.mesh.points.copy()
     inner = int(np.argmin(np.linalg.norm(points - [44.0, 6.0, 2.5], axis=1)))
     points[inner, 1] += 0.2
@@ -141,7 +136,7 @@ def test_fairness_takes_away_a_dent_and_stiffness_keeps_it():
 def test_sums_of_control_points_come_to_rest():
     # Against targets in the surface itself, which no sum moves as long as it has its rest: a sum
     # that counts for much brings its points to another one.
-    surface = surface_of("barge")
+    surface = surface_of_sample("barge")
     points = np.asarray(surface.mesh.points)
     there = samples_of(surface, 3)
     weights = np.array([1.0, -2.0, 1.0])
@@ -160,7 +155,7 @@ def test_sums_of_control_points_come_to_rest():
 
 
 def test_it_can_be_watched_and_cancelled():
-    surface = surface_of("barge")
+    surface = surface_of_sample("barge")
     start = shaken(surface, np.random.default_rng(SEED), 0.1)
     shares = []
 
@@ -198,6 +193,6 @@ def test_it_can_be_watched_and_cancelled():
     ],
 )
 def test_what_is_wrong_is_said(options, message):
-    surface = surface_of("barge")
+    surface = surface_of_sample("barge")
     with pytest.raises(ValueError, match=message):
         hn.fit_surface(surface, **{"targets": [[30.0, 9.0, 2.0]], **options})

@@ -21,6 +21,7 @@ from hull_fitting.outlines import shell_outline
 from hull_fitting.shells import hull_shell
 from hull_io.geometry import Geometry, GeometryMesh, read_geometry
 from hull_io.triangles import normals_of
+from vessels import triangles_of
 
 ROOT = Path(__file__).resolve().parents[2]
 ALL = os.environ.get("HULL_LONG_TESTS") == "1"
@@ -31,13 +32,6 @@ def sample(name):
     shell = hull_io.shell_arrays(data)
     arrays = shell.arguments()
     return hn.LimitSurface(hn.ControlMesh(*arrays), data.scheme), data
-
-
-def triangles_of(surface, parts=8):
-    facets = surface.tessellate(parts)
-    quads = facets.quads
-    triangles = np.concatenate([quads[:, [0, 1, 2]], quads[:, [0, 2, 3]]])
-    return np.asarray(facets.points), triangles
 
 
 def geometry_of(points, triangles, name="hull.stl"):

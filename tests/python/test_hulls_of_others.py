@@ -28,13 +28,6 @@ def names():
     return sorted(path.name for path in FOLDER.glob("*.f[bt]m"))
 
 
-def pairs():
-    if not names():
-        return []
-    kinds = list(copies_of(names()[0]))
-    return list(hulls_of_others.chosen(names(), kinds, 0 if ALL else FEW))
-
-
 def copies_of(name):
     return hulls_of_others.copies(hull_io.read_hull(FOLDER / name), SEED, mirror_faces)
 
@@ -72,7 +65,9 @@ def test_the_hulls_are_there():
     assert len(names()) == 13
 
 
-@pytest.mark.parametrize("name, kind", pairs())
+@pytest.mark.parametrize(
+    "name, kind", hulls_of_others.chosen_copies(names(), copies_of, 0 if ALL else FEW)
+)
 def test_a_copy_goes_all_the_way(name, kind, tmp_path):
     original = hull_io.read_hull(FOLDER / name)
     data = copies_of(name)[kind]

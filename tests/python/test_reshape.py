@@ -4,20 +4,15 @@ dense solution with NumPy, and limits hold on all samples."""
 
 from pathlib import Path
 
-import hull_io
 import hull_native as hn
 import numpy as np
 import pytest
 from reference_data import MESHES, reference_mesh
+from vessels import surface_of_sample
 
 ROOT = Path(__file__).resolve().parents[2]
 SAMPLES = sorted(path.name.split(".")[0] for path in (ROOT / "samples").glob("*.hull.json"))
 SEED = 20261123
-
-
-def surface_of(name):
-    shell = hull_io.shell_arrays(hull_io.read_hull(ROOT / "samples" / f"{name}.hull.json"))
-    return hn.LimitSurface(hn.ControlMesh(*shell.arguments()))
 
 
 def size_of(surface):
@@ -62,7 +57,7 @@ def test_affine_shifts_are_met_exactly(name, scheme):
 
 @pytest.mark.parametrize("name", SAMPLES)
 def test_optimum_is_that_of_a_dense_solution(name):
-    surface = surface_of(name)
+    surface = surface_of_sample(name)
     points = surface.mesh.points
     size = size_of(surface)
     random = np.random.default_rng([SEED, SAMPLES.index(name)])
@@ -96,7 +91,7 @@ def test_optimum_is_that_of_a_dense_solution(name):
 
 def test_moves_along_one_axis_are_those_of_a_dense_solution():
     """Where no point may move otherwise what is wanted along other axes does not count."""
-    surface = surface_of("coaster")
+    surface = surface_of_sample("coaster")
     count, size = len(surface.mesh.points), size_of(surface)
     random = np.random.default_rng(SEED)
     for axis in range(3):
@@ -119,7 +114,7 @@ def test_moves_along_one_axis_are_those_of_a_dense_solution():
 
 
 def test_conditions_and_prescribed_moves_hold():
-    surface = surface_of("coaster")
+    surface = surface_of_sample("coaster")
     points = surface.mesh.points
     random = np.random.default_rng(SEED)
     slopes = random.normal(size=(3, 3))
@@ -289,7 +284,7 @@ def test_half_hulls_of_reference_meshes_stay_square_to_the_centre_plane(scheme):
 
 @pytest.mark.parametrize("name", SAMPLES)
 def test_what_is_beyond_the_extent_stays_bit_by_bit(name):
-    surface = surface_of(name)
+    surface = surface_of_sample(name)
     places = hn.SurfacePlaces(surface)
     centre = places.positions[len(places.positions) // 3]
     radius = 0.15 * size_of(surface)
@@ -317,7 +312,7 @@ def test_what_is_beyond_the_extent_stays_bit_by_bit(name):
 
 
 def test_places_serve_all_surfaces_of_a_topology():
-    surface = surface_of("coaster")
+    surface = surface_of_sample("coaster")
     size = size_of(surface)
     random = np.random.default_rng(SEED)
     first = hn.SurfacePlaces(surface)
@@ -344,7 +339,7 @@ def test_places_serve_all_surfaces_of_a_topology():
     affine = hn.Reshape(surface, places=coarse).solve(0.1 * coarse.positions)
     assert affine.largest < 1e-13 * size
     with pytest.raises(ValueError, match="another surface"):
-        hn.Reshape(surface_of("barge"), places=first)
+        hn.Reshape(surface_of_sample("barge"), places=first)
     with pytest.raises(ValueError, match="another surface"):
         hn.SurfacePlaces(hn.LimitSurface(surface.mesh, "catmull_clark"), places=first)
     with pytest.raises(ValueError, match="2 or 3 places"):
@@ -352,7 +347,7 @@ def test_places_serve_all_surfaces_of_a_topology():
 
 
 def test_shifts_that_fold_space_are_refused_with_the_place():
-    surface = surface_of("coaster")
+    surface = surface_of_sample("coaster")
     reshape = hn.Reshape(surface)
     p, size = reshape.positions, size_of(surface)
     middle, steep = 0.6 * size, 1.2
@@ -376,7 +371,7 @@ def test_shifts_that_fold_space_are_refused_with_the_place():
 
 
 def test_kept_sums_stay_zero():
-    surface = surface_of("roro")
+    surface = surface_of_sample("roro")
     random = np.random.default_rng(SEED)
     kept = [([3, 4, 9], random.normal(size=(3, 3))), ([4, 9], random.normal(size=(2, 3)))]
     kept.append((kept[0][0], 2 * kept[0][1]))  # depends on another
@@ -406,7 +401,7 @@ def creases_to_move(surface):
 
 @pytest.mark.parametrize("name", SAMPLES)
 def test_creases_move_as_told_and_others_stay(name):
-    surface = surface_of(name)
+    surface = surface_of_sample(name)
     size, points = size_of(surface), surface.mesh.points
     random = np.random.default_rng([SEED, SAMPLES.index(name)])
     number, curve = max(creases_to_move(surface), key=lambda found: found[1].edge_count)
@@ -438,7 +433,7 @@ def test_creases_move_as_told_and_others_stay(name):
 
 @pytest.mark.parametrize("name", SAMPLES)
 def test_staying_points_of_a_crease_stay_and_the_others_do_their_best(name):
-    surface = surface_of(name)
+    surface = surface_of_sample(name)
     size, random = size_of(surface), np.random.default_rng([SEED, SAMPLES.index(name)])
     number, curve = max(creases_to_move(surface), key=lambda found: found[1].edge_count)
     t = np.linspace(0, curve.edge_count, 6 * curve.edge_count + 1)
@@ -470,7 +465,7 @@ def test_staying_points_of_a_crease_stay_and_the_others_do_their_best(name):
 
 @pytest.mark.parametrize("name", SAMPLES)
 def test_allowed_moves_are_the_nearest_and_never_refused(name):
-    surface = surface_of(name)
+    surface = surface_of_sample(name)
     size, random = size_of(surface), np.random.default_rng([SEED, SAMPLES.index(name)])
     count = len(surface.mesh.points)
     tied, directions = hn.square_ties(surface)
@@ -502,7 +497,7 @@ def test_allowed_moves_are_the_nearest_and_never_refused(name):
 
 
 def test_crease_moves_are_the_least_squares_and_meet_the_ends():
-    surface = surface_of("coaster")
+    surface = surface_of_sample("coaster")
     number, curve = next(
         (i, c) for i, c in creases_to_move(surface) if not c.closed and c.edge_count > 4
     )
@@ -532,7 +527,7 @@ def test_crease_moves_are_the_least_squares_and_meet_the_ends():
 
 
 def test_what_is_wrong_is_said():
-    surface = surface_of("coaster")
+    surface = surface_of_sample("coaster")
     count = len(surface.mesh.points)
     with pytest.raises(ValueError, match="as many tied_directions"):
         hn.Reshape(surface, tied=[(0, 1)])

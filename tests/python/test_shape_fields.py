@@ -3,18 +3,13 @@
 
 from pathlib import Path
 
-import hull_io
 import hull_native as hn
 import numpy as np
 import pytest
+from vessels import surface_of_sample
 
 ROOT = Path(__file__).resolve().parents[2]
 SEED = 20261124
-
-
-def surface_of(name):
-    shell = hull_io.shell_arrays(hull_io.read_hull(ROOT / "samples" / f"{name}.hull.json"))
-    return hn.LimitSurface(hn.ControlMesh(*shell.arguments()))
 
 
 def fields_on(surface):
@@ -34,7 +29,7 @@ def fields_on(surface):
 
 @pytest.mark.parametrize("name", ["coaster", "naval_vessel", "sailing_yacht"])
 def test_gradients_are_those_of_differences(name):
-    surface = surface_of(name)
+    surface = surface_of_sample(name)
     fields = hn.ShapeFields(fields_on(surface), mirrored=True)
     random = np.random.default_rng([SEED, len(name)])
     points = hn.Reshape(surface).positions
@@ -60,7 +55,7 @@ def test_gradients_are_those_of_differences(name):
 
 @pytest.mark.parametrize("name", ["coaster", "naval_vessel", "sailing_yacht"])
 def test_protected_creases_stay_and_what_is_far_does(name):
-    surface = surface_of(name)
+    surface = surface_of_sample(name)
     fields = hn.ShapeFields(fields_on(surface), mirrored=True)
     size = np.ptp(surface.mesh.points, axis=0).max()
     for crease in hn.crease_curves(surface):
@@ -76,7 +71,7 @@ def test_protected_creases_stay_and_what_is_far_does(name):
 
 
 def test_the_hull_follows_the_field():
-    surface = surface_of("coaster")
+    surface = surface_of_sample("coaster")
     fields = hn.ShapeFields(fields_on(surface)[:1], mirrored=True)
     largest = []
     for _ in range(2):
@@ -113,7 +108,7 @@ def test_quantities_vary_along_a_curve():
 
 
 def test_remembered_places_get_the_same_shifts():
-    surface = surface_of("coaster")
+    surface = surface_of_sample("coaster")
     points = hn.Reshape(surface).positions
     places = hn.FieldPlaces(points)
     for falloff in (0.3, 0.8):
@@ -152,7 +147,7 @@ def near_side(surface, random, count=300, off=0.5):
 
 
 def test_all_of_a_region_is_base():
-    surface = surface_of("coaster")
+    surface = surface_of_sample("coaster")
     cells = np.arange(5, 9)
     shift, extent = (0.1, 0.3, -0.2), 6.0
     field = hn.ShapeField.of_region(surface, cells, shift, extent=extent, falloff=0.6)
@@ -180,7 +175,7 @@ def test_all_of_a_region_is_base():
 
 
 def test_gradients_of_regions_are_those_of_differences():
-    surface = surface_of("coaster")
+    surface = surface_of_sample("coaster")
     field = hn.ShapeField.of_region(surface, np.arange(5, 9), (0, 0.3, 0.1), extent=6)
     fields = hn.ShapeFields([field], mirrored=True)
     points = near_side(surface, np.random.default_rng(SEED))
@@ -210,7 +205,7 @@ def test_no_curvature_jumps_at_the_rim_of_a_region():
 
 
 def test_remembered_regions_are_known_again():
-    surface = surface_of("coaster")
+    surface = surface_of_sample("coaster")
     places = hn.FieldPlaces(hn.SurfacePlaces(surface).positions)
     for points in (surface.mesh.points, surface.mesh.points * [1.0, 1.01, 1.0]):
         moved = hn.LimitSurface(surface.mesh.with_points(points))
@@ -224,7 +219,7 @@ def test_remembered_regions_are_known_again():
 
 
 def test_a_region_does_nothing_beyond_its_extent_whatever_it_is_for():
-    surface = surface_of("coaster")
+    surface = surface_of_sample("coaster")
     points = hn.SurfacePlaces(surface).positions
     mover = hn.ShapeField.at_point((60, 5, 3), (0, 0.3, 0), extent=25)
     alone = hn.ShapeFields([mover], mirrored=True).at(points)
@@ -241,7 +236,7 @@ def test_a_region_does_nothing_beyond_its_extent_whatever_it_is_for():
 
 
 def test_remembered_regions_grow_and_shrink():
-    surface = surface_of("coaster")
+    surface = surface_of_sample("coaster")
     points = hn.SurfacePlaces(surface).positions
     places = hn.FieldPlaces(points)
     for extent in (2.0, 2.5, 8.0, 1.0, 30.0):
@@ -256,6 +251,6 @@ def test_remembered_regions_grow_and_shrink():
 )
 def test_regions_that_are_none_are_refused(cells, message):
     with pytest.raises(ValueError, match=message):
-        hn.ShapeField.of_region(surface_of("coaster"), cells, extent=1)
+        hn.ShapeField.of_region(surface_of_sample("coaster"), cells, extent=1)
     with pytest.raises(ValueError, match=message):
-        hn.SurfaceTree(surface_of("coaster"), cells=cells)
+        hn.SurfaceTree(surface_of_sample("coaster"), cells=cells)

@@ -103,6 +103,14 @@ class Displacement:
         return volume, lcb
 
 
+class DisplacementTask(Displacement, TaskOperator):
+    """The same as a task, which begins when the dialog is left."""
+
+    def invoke(self, context, event):
+        self._is_in_window = not bpy.app.background
+        return Displacement.invoke(self, context, event)
+
+
 class HULL_OT_shift_sections(bpy.types.Operator, Displacement, HullOperator):
     """Shift the sections along the ship until the hull has the displacement and the centre of
     buoyancy that are wanted. Sections keep their form"""
@@ -181,7 +189,7 @@ class HULL_OT_shift_sections(bpy.types.Operator, Displacement, HullOperator):
         )
 
 
-class HULL_OT_change_displacement(bpy.types.Operator, Displacement, TaskOperator):
+class HULL_OT_change_displacement(bpy.types.Operator, DisplacementTask):
     """Change the hull to the displacement and the centre of buoyancy that are wanted so that its
     surface shifts and bends the least. Sections change their form"""
 
@@ -220,10 +228,6 @@ class HULL_OT_change_displacement(bpy.types.Operator, Displacement, TaskOperator
         precision=3,
         step=1,
     )
-
-    def invoke(self, context, event):
-        self._is_in_window = not bpy.app.background
-        return super().invoke(context, event)
 
     def draw(self, context):
         column = property_column(self)

@@ -15,8 +15,8 @@ from ..features.morphing import (
     wanted,
     weights,
 )
-from ..features.targets import reports
 from .shared import HullOperator, can_change, in_object_mode, make_active, native_is_there
+from .targets import TargetsTask
 from .tasks import TaskOperator
 
 
@@ -27,7 +27,8 @@ def _has_two_hulls(cls, context):
     return True
 
 
-def _is_member(cls, context):
+def is_member(cls, context):
+    """A need of operators: a hull of a family."""
     if not parents.is_member(hull_objects.hull_of(context.object)):
         cls.poll_message_set("The hull is of no family: Make Morph of two hulls first")
         return False
@@ -80,7 +81,7 @@ class HULL_OT_pair_again(bpy.types.Operator, TaskOperator):
     bl_label = "Pair Again"
     bl_options = {"REGISTER", "UNDO"}
 
-    needs = (in_object_mode, *TaskOperator.needs, can_change, _is_member)
+    needs = (in_object_mode, *TaskOperator.needs, can_change, is_member)
 
     def begin(self, hull, scene):
         return refitting.Refitting(hull, scene)
@@ -97,7 +98,7 @@ class HULL_OT_add_pair(bpy.types.Operator, HullOperator):
     bl_idname = "hull.add_pair"
     bl_label = "Pair"
 
-    needs = (*HullOperator.needs, _is_member)
+    needs = (*HullOperator.needs, is_member)
 
     def run_on(self, hull, context):
         pairs.add(hull)
@@ -109,7 +110,7 @@ class HULL_OT_remove_pair(bpy.types.Operator, HullOperator):
     bl_idname = "hull.remove_pair"
     bl_label = "Hold Apart"
 
-    needs = (*HullOperator.needs, _is_member)
+    needs = (*HullOperator.needs, is_member)
 
     def run_on(self, hull, context):
         pairs.remove(hull)
@@ -122,7 +123,7 @@ class HULL_OT_forget_pairs(bpy.types.Operator, HullOperator):
     bl_idname = "hull.forget_pairs"
     bl_label = "Forget Corrections"
 
-    needs = (*HullOperator.needs, _is_member)
+    needs = (*HullOperator.needs, is_member)
 
     def run_on(self, hull, context):
         pairs.forget_corrections(hull)
@@ -134,7 +135,7 @@ class HULL_OT_add_local_parent(bpy.types.Operator, HullOperator):
     bl_idname = "hull.add_local_parent"
     bl_label = "Add Local Parent"
 
-    needs = (*HullOperator.needs, _is_member)
+    needs = (*HullOperator.needs, is_member)
 
     def run_on(self, hull, context):
         local_parents.add(hull)
@@ -146,7 +147,7 @@ class HULL_OT_remove_local_parent(bpy.types.Operator, HullOperator):
     bl_idname = "hull.remove_local_parent"
     bl_label = "Remove Local Parent"
 
-    needs = (*HullOperator.needs, _is_member)
+    needs = (*HullOperator.needs, is_member)
 
     def run_on(self, hull, context):
         local_parents.remove(hull)
@@ -159,7 +160,7 @@ def _has_target(cls, context):
     return True
 
 
-class HULL_OT_find_weights(bpy.types.Operator, TaskOperator):
+class HULL_OT_find_weights(bpy.types.Operator, TargetsTask):
     """Find the weights with which the hull has the wanted numbers of the panel Targets, at the
     least change, and where dimensions are free there their factors. Its draft stays"""
 
@@ -167,14 +168,10 @@ class HULL_OT_find_weights(bpy.types.Operator, TaskOperator):
     bl_label = "Find Weights"
     bl_options = {"REGISTER", "UNDO"}
 
-    needs = (*TaskOperator.needs, can_change, _is_member, _has_target)
+    needs = (*TaskOperator.needs, can_change, is_member, _has_target)
 
     def begin(self, hull, scene):
         return wanted.Finding(hull, scene)
-
-    def outcome(self, found, scene):
-        report = self._task.write(scene)
-        return reports.summary(report, scene), not report.is_met
 
 
 class HULL_OT_set_weights(bpy.types.Operator, HullOperator):
@@ -188,7 +185,7 @@ class HULL_OT_set_weights(bpy.types.Operator, HullOperator):
         description="One for each parent, such as 0.3 0.7; they sum to 1. Blank: all the same",
         options={"SKIP_SAVE"},
     )
-    needs = (*HullOperator.needs, _is_member)
+    needs = (*HullOperator.needs, is_member)
 
     def run_on(self, hull, context):
         count = len(hull.hull.morph.parents)
@@ -202,7 +199,7 @@ class HULL_OT_leave_family(bpy.types.Operator, HullOperator):
     bl_idname = "hull.leave_family"
     bl_label = "Make It a Hull of Its Own"
 
-    needs = (*HullOperator.needs, _is_member)
+    needs = (*HullOperator.needs, is_member)
 
     def run_on(self, hull, context):
         members.make_own(hull)
@@ -224,7 +221,7 @@ class HULL_OT_back_to_family(bpy.types.Operator, HullOperator):
         if hull is None:
             cls.poll_message_set("Select a hull first")
             return False
-        return super().poll(context) and can_change(cls, context) and _is_member(cls, context)
+        return super().poll(context) and can_change(cls, context) and is_member(cls, context)
 
     def run_on(self, hull, context):
         members.back_to_family(hull, context.scene).checked()

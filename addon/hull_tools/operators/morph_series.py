@@ -5,17 +5,10 @@ import bpy
 from bpy.props import BoolProperty, EnumProperty, IntProperty, StringProperty
 
 from ..bridge.counts import counted
-from ..bridge.objects import hull_objects
-from ..features.morphing import parents, series_files, weights
+from ..features.morphing import series_files, weights
 from .export_hull import ExportByTask
+from .morph import is_member
 from .tasks import TaskOperator
-
-
-def _is_member(cls, context):
-    if not parents.is_member(hull_objects.hull_of(context.object)):
-        cls.poll_message_set("The hull is of no family: Make Morph of two hulls first")
-        return False
-    return True
 
 
 def _weights(which):
@@ -52,7 +45,7 @@ class HULL_OT_export_series_table(bpy.types.Operator, SeriesOperator, ExportByTa
     bl_idname = "hull.export_series_table"
     bl_label = "Table of Series"
 
-    needs = (*ExportByTask.needs, _is_member)
+    needs = (*ExportByTask.needs, is_member)
     filename_ext = ".csv"
     filter_glob: StringProperty(default="*.csv", options={"HIDDEN"})
     first_weights: _weights("First")
@@ -75,7 +68,7 @@ class HULL_OT_export_series(bpy.types.Operator, SeriesOperator, TaskOperator):
     bl_idname = "hull.export_series"
     bl_label = "Export Series"
 
-    needs = (*TaskOperator.needs, _is_member)
+    needs = (*TaskOperator.needs, is_member)
     directory: StringProperty(
         name="Folder", description="Where the files are written", subtype="DIR_PATH"
     )

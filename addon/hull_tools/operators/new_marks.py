@@ -6,7 +6,7 @@ from bpy.props import BoolProperty, FloatProperty
 
 from ..bridge.blender import units
 from ..features.transformation import fair_changes, fewest_marks
-from .displacement import MEASURES, NO_MEASURE, Displacement, measure_property
+from .displacement import MEASURES, NO_MEASURE, DisplacementTask, measure_property
 from .shared import can_change, property_column
 from .tasks import TaskOperator
 
@@ -58,7 +58,7 @@ class HULL_OT_fair_new_marks(bpy.types.Operator, TaskOperator):
         return fair_changes.summary(self._task.write(scene))
 
 
-class HULL_OT_fewest_marks(bpy.types.Operator, Displacement, TaskOperator):
+class HULL_OT_fewest_marks(bpy.types.Operator, DisplacementTask):
     """Bring the hull to the displacement and the centre of buoyancy that are wanted by shifts of
     its sections or by the least change, and fair out the marks that are new: the way that leaves
     the fewest is taken"""
@@ -72,10 +72,6 @@ class HULL_OT_fewest_marks(bpy.types.Operator, Displacement, TaskOperator):
     measure: measure_property(*_KEPT_MEASURES, NO_MEASURE)
     per_mille: _per_mille()
     keep_parallel: _keep_parallel()
-
-    def invoke(self, context, event):
-        self._is_in_window = not bpy.app.background
-        return super().invoke(context, event)
 
     def draw(self, context):
         column = property_column(self)

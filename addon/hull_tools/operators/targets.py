@@ -50,7 +50,15 @@ class HULL_OT_take_present_target(bpy.types.Operator, HullOperator):
         rows.take_present(rows.chosen_row(hull), hull, context.scene)
 
 
-class HULL_OT_solve_targets(bpy.types.Operator, TaskOperator):
+class TargetsTask(TaskOperator):
+    """Subclasses begin a task that brings a hull to what is wanted in the panel Targets."""
+
+    def outcome(self, found, scene):
+        report = self._task.write(scene)
+        return reports.summary(report, scene), not report.is_met
+
+
+class HULL_OT_solve_targets(bpy.types.Operator, TargetsTask):
     """Move the control points so that the hull has the wanted numbers, at the least shift and
     bending of the surface. What cannot be met is told, and its nearest value is reached"""
 
@@ -62,10 +70,6 @@ class HULL_OT_solve_targets(bpy.types.Operator, TaskOperator):
 
     def begin(self, hull, scene):
         return targets.Solving(hull, scene)
-
-    def outcome(self, reached, scene):
-        report = self._task.write(scene)
-        return reports.summary(report, scene), not report.is_met
 
 
 CLASSES = (

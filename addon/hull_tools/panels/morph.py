@@ -7,7 +7,7 @@ from ..bridge.objects import hull_objects
 from ..features.morphing import making, members, pairs, parents
 from .conversion import draw_task
 from .shared import HullPanel, draw_entries, label_value, label_wrapped, text_field
-from .targets import draw_free, draw_report, draw_row
+from .targets import draw_free, draw_targets
 
 
 class HULL_UL_parents(bpy.types.UIList):
@@ -175,16 +175,8 @@ class HULL_PT_morph_targets(MemberPanel, bpy.types.Panel):
     bl_label = "Weights for Targets"
 
     def draw(self, context):
-        layout = self.layout
         hull = hull_objects.hull_of(context.object)
-        settings = hull.hull.targets
-        row = draw_entries(layout, settings, "rows", "active_row", "target")
-        if row is not None:
-            draw_row(layout, row)
-        draw_free(layout, settings)
-        if not draw_task(layout, hull):
-            layout.operator("hull.find_weights", icon="SNAP_ON")
-        draw_report(layout, context, hull)
+        draw_targets(self.layout, context, hull, draw_free, "hull.find_weights")
 
 
 class HULL_PT_morph_series(MemberPanel, bpy.types.Panel):

@@ -48,14 +48,7 @@ class HULL_PT_targets(HullPanel, bpy.types.Panel):
     def draw(self, context):
         layout = self.layout
         hull = hull_objects.hull_of(context.object)
-        settings = hull.hull.targets
-        row = draw_entries(layout, settings, "rows", "active_row", "target")
-        if row is not None:
-            draw_row(layout, row)
-        self._draw_changes(layout, settings)
-        if not draw_task(layout, hull):
-            layout.operator("hull.solve_targets", icon="SNAP_ON")
-        draw_report(layout, context, hull)
+        draw_targets(layout, context, hull, self._draw_changes, "hull.solve_targets")
         self._draw_area_curve(hull)
 
     def _draw_changes(self, layout, settings):
@@ -80,7 +73,19 @@ class HULL_PT_targets(HullPanel, bpy.types.Panel):
             column.operator("hull.take_area_curve", icon="IMPORT")
 
 
-def draw_row(layout, row):
+def draw_targets(layout, context, hull, draw_changes, operator):
+    """What is wanted, what may change for it, by draw_changes, the operator, what came of it."""
+    settings = hull.hull.targets
+    row = draw_entries(layout, settings, "rows", "active_row", "target")
+    if row is not None:
+        _draw_row(layout, row)
+    draw_changes(layout, settings)
+    if not draw_task(layout, hull):
+        layout.operator(operator, icon="SNAP_ON")
+    _draw_report(layout, context, hull)
+
+
+def _draw_row(layout, row):
     """What is wanted of one number."""
     text_field(layout, row, "quantity")
     if row.quantity == quantities.SECTION:
@@ -108,7 +113,7 @@ def draw_free(layout, settings):
             row.prop(settings, f"{name}_change")
 
 
-def draw_report(layout, context, hull):
+def _draw_report(layout, context, hull):
     """What came of the last solution."""
     report, is_current = reports.last_report(hull)
     if report is None:

@@ -5,6 +5,7 @@ import math
 from dataclasses import dataclass, fields
 
 from . import _core
+from .positive_fields import check_positive
 
 
 @dataclass(frozen=True)
@@ -27,7 +28,7 @@ class DelftYacht:
     lcf: float
 
     def __post_init__(self):
-        _check_positive(self, "The canoe body's", [each.name for each in fields(self)])
+        check_positive(self, "The canoe body's", [each.name for each in fields(self)])
         for name in ("lcb", "lcf"):
             if not getattr(self, name) < self.length:
                 raise ValueError(
@@ -57,7 +58,7 @@ class DelftFin:
 
     def __post_init__(self):
         lengths = ("wetted_surface", "chord", "thickness", "volume", "total_draft")
-        _check_positive(self, "The keel's or rudder's", lengths)
+        check_positive(self, "The keel's or rudder's", lengths)
         if self.centre is not None and not math.isfinite(self.centre):
             raise ValueError(f"The keel's centre must be a number, not {self.centre}.")
         given = [value is not None for value in (self.volume, self.total_draft, self.centre)]
@@ -105,10 +106,3 @@ def delft_yacht(body, *, draft, trim=0.0, draft_at=0.0, **given):
         "lcf": water.waterline_forward - water.lcf,
     }
     return DelftYacht(**{**measured, **given})
-
-
-def _check_positive(thing, whose, names):
-    for name in names:
-        value = getattr(thing, name)
-        if value is not None and not (value > 0.0 and math.isfinite(value)):
-            raise ValueError(f"{whose} {name} must be above zero, not {value}.")

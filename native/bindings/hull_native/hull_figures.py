@@ -3,6 +3,7 @@
 
 from pathlib import Path
 
+from .drawing_scales import scales
 from .figure_form import FigureForm
 from .folder_beside import FolderBeside
 from .hull_pictures import SeenHull, reflection_sheet, rendering_sheet
@@ -21,7 +22,7 @@ _SHEETS = sorted(
     ),
     key=lambda sheet: sheet[0] * sheet[1],
 )
-_SCALES = [f * 10.0**n for n in range(-4, 5) for f in (1, 1.25, 1.5, 2, 2.5, 3, 4, 5, 7.5)]
+_SCALES = scales(-4, 5)
 # About how many waterlines in the draft and buttocks in the beam, the first that a sheet takes.
 _SPACINGS = ((4, 8), (3, 6), (2, 6), (2, 4), (1, 2))
 # Of the work, by figure in their order, and what the surface of pictures takes before.

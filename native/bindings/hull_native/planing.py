@@ -9,6 +9,7 @@ from . import _core
 from ._core import SEA_WATER_DENSITY
 from ._resistance import GRAVITY, ittc_1957
 from .deadrise import bottom_deadrise
+from .positive_fields import check_positive
 from .water import water_viscosity
 
 _TRIMS = (0.3, 15.0)  # degrees, between which an equilibrium is looked for
@@ -30,10 +31,7 @@ class PlaningBoat:
     thrust_arm: float = 0.0
 
     def __post_init__(self):
-        for name in ("mass_t", "beam", "lcg"):
-            value = getattr(self, name)
-            if not (value > 0.0 and math.isfinite(value)):
-                raise ValueError(f"A planing boat's {name} must be above zero, not {value}.")
+        check_positive(self, "A planing boat's", ("mass_t", "beam", "lcg"))
         for name in ("vcg", "thrust_angle_deg", "thrust_arm"):
             if not math.isfinite(getattr(self, name)):
                 raise ValueError(f"A planing boat's {name} must be a finite number.")

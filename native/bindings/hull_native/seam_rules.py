@@ -8,7 +8,7 @@ import numpy as np
 
 from ._core import plane_across, tolerances
 from ._production import HullCurves
-from .strakes import deck_edge, length_of_curve
+from .strakes import MOST_BUTTS, MOST_STRAKES, deck_edge, girth_rows, staggered_butts
 
 # What a rule makes, and what its number is.
 KINDS = {
@@ -22,9 +22,6 @@ KINDS = {
     "projected": "a seam by a line projected across the ship",
 }
 _PLANES = {"waterline": "z", "buttock": "y", "station": "x"}
-_MOST_SEAMS, _MOST_BUTTS = 60, 400
-# A strake that is narrower at its broadest is none: of the girth of strakes.
-_LAST_STRAKE = 0.4
 _SHORTEST_BUTT = 0.05  # m
 
 
@@ -104,34 +101,17 @@ def _near_centre(curve):
 
 
 def _strakes(curves, rule):
-    deck, towards, seams = deck_edge(curves), (0.0, 0.0, -1.0), []
-    for k in range(1, _MOST_SEAMS + 1):
-        try:
-            row = curves.at_girth(deck, k * rule.value, towards=towards, name=f"Seam {k}")
-            curves.at_girth(deck, (k + _LAST_STRAKE) * rule.value, towards=towards)
-        except ValueError:
-            if k == 1:
-                raise ValueError(f"The shell is narrower than {rule}: take a smaller one.")
-            return seams
-        seams += row
-    raise ValueError(f"More than {_MOST_SEAMS} seams follow from {rule}: take a larger one.")
+    rows = girth_rows(curves, rule.value)
+    if not rows:
+        raise ValueError(f"The shell is narrower than {rule}: take a smaller one.")
+    if len(rows) > MOST_STRAKES:
+        raise ValueError(f"More than {MOST_STRAKES} seams follow from {rule}: take a larger one.")
+    return [curve for row in rows for curve in row]
 
 
 def _butts(curves, seams, rule):
     ends = [c.points[:, 0] for c in curves.borders()]
     low, high = min(x.min() for x in ends), max(x.max() for x in ends)
-    count = int((high - low) / rule.value)
-    if count > _MOST_BUTTS:
-        raise ValueError(f"More than {_MOST_BUTTS} butts follow from {rule}: take a larger one.")
-    made = []
-    for row, share in enumerate((0.5, 1.0)):
-        for k in range(count + 1):
-            at = low + (k + share) * rule.value
-            # No narrow plates at the ends.
-            if not low + 0.3 * rule.value < at < high - 0.3 * rule.value:
-                continue
-            for curve in curves.in_plane(plane_across("x", at), f"Butt {at:.2f}"):
-                pieces = curves.pieces(curve, seams)
-                pieces.sort(key=lambda c: -c.points[:, 2].max())
-                made += [p for p in pieces[row::2] if length_of_curve(p) > _SHORTEST_BUTT]
-    return made
+    if int((high - low) / rule.value) > MOST_BUTTS:
+        raise ValueError(f"More than {MOST_BUTTS} butts follow from {rule}: take a larger one.")
+    return staggered_butts(curves, seams, (low, high), rule.value, _SHORTEST_BUTT)

@@ -7,13 +7,14 @@ import numpy as np
 
 from ._core import feature_fairness, section, tolerances
 from ._drawing import FigureSheet, text_width
+from .drawing_scales import scales
 from .figure_form import round_spacing
 from .line_labels import LineLabels
 
 # The drawing in mm; around it is room for labels.
 _LARGEST = (210.0, 140.0)
 _SIDE, _TOP, _FOOT = 34.0, 14.0, 26.0
-_SCALES = [f * 10.0**n for n in range(-1, 4) for f in (1, 1.25, 1.5, 2, 2.5, 3, 4, 5, 7.5)]
+_SCALES = scales(-1, 4)
 _BLACK, _GREY = (0.0, 0.0, 0.0), (0.45, 0.45, 0.45)
 _SECTION, _GRID, _WATER = (0.07, 0.20, 0.50), (0.87, 0.88, 0.90), (0.0, 0.42, 0.30)
 _KNUCKLE = (0.65, 0.10, 0.06)

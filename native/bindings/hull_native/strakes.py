@@ -11,7 +11,7 @@ from ._production import HullCurves
 _LAST_STRAKE = 0.4
 # Of the breadth of strakes.
 _SHORTEST_BUTT = 0.4
-_MOST_STRAKES, _MOST_BUTTS = 60, 400
+MOST_STRAKES, MOST_BUTTS = 60, 400
 
 
 def deck_edge(curves):
@@ -36,9 +36,12 @@ def shell_seams(surface, *, strake, plate_length, tolerance=None):
         if not (np.isfinite(value) and value > 0.0):
             raise ValueError(f"{name} must be a length above 0 m, not {value:g}.")
     curves = HullCurves(surface, tolerance)
-    deck = deck_edge(curves)
     knuckles = curves.knuckles()
-    rows = _girth_seams(curves, deck, strake)
+    rows = girth_rows(curves, strake)
+    if len(rows) > MOST_STRAKES:
+        raise ValueError(
+            f"Strakes of {strake:g} m are more than {MOST_STRAKES}: make them broader."
+        )
     for k, row in enumerate(rows[::-1]):
         for curve in row:
             curve.name = f"Seam {_letters(k)}"
@@ -61,35 +64,42 @@ def _letters(k):
     return text
 
 
-def _girth_seams(curves, deck, strake):
-    """Rows of curves at girths, from the deck down, as long as the shell below has room."""
-    rows = []
-    for k in range(1, _MOST_STRAKES + 1):
+def girth_rows(curves, strake):
+    """Rows of curves of HullCurves at multiples of a girth from the deck edge down, as long as the
+    shell below has room; one more than MOST_STRAKES where there are more."""
+    deck, towards, rows = deck_edge(curves), (0.0, 0.0, -1.0), []
+    for k in range(1, MOST_STRAKES + 2):
         try:
-            row = curves.at_girth(deck, k * strake, towards=(0.0, 0.0, -1.0))
-            curves.at_girth(deck, (k + _LAST_STRAKE) * strake, towards=(0.0, 0.0, -1.0))
+            row = curves.at_girth(deck, k * strake, towards=towards, name=f"Seam {k}")
+            curves.at_girth(deck, (k + _LAST_STRAKE) * strake, towards=towards)
         except ValueError:
-            return rows
+            break
         rows.append(row)
-    raise ValueError(f"Strakes of {strake:g} m are more than {_MOST_STRAKES}: make them broader.")
+    return rows
+
+
+def staggered_butts(curves, seams, ends, apart, shortest):
+    """Curves across the ship between its ends (low, high), so far apart, those of neighbouring
+    strakes by half of that; pieces that are no longer than `shortest` are left out."""
+    low, high = ends
+    made = []
+    for row, share in enumerate((0.5, 1.0)):
+        for k in range(int((high - low) / apart) + 1):
+            at = low + (k + share) * apart
+            # No narrow plates at the ends.
+            if not low + 0.3 * apart < at < high - 0.3 * apart:
+                continue
+            for curve in curves.in_plane(plane_across("x", at), f"Butt {at:.2f}"):
+                pieces = curves.pieces(curve, seams)
+                pieces.sort(key=lambda c: -c.points[:, 2].max())
+                made += [p for p in pieces[row::2] if length_of_curve(p) > shortest]
+    return made
 
 
 def _butts(curves, seams, surface, strake, plate_length):
     x = np.asarray(surface.mesh.points)[:, 0]
     low, high = float(x.min()), float(x.max())
-    count = int((high - low) / plate_length)
-    if count > _MOST_BUTTS:
+    if int((high - low) / plate_length) > MOST_BUTTS:
         raise ValueError(f"Plates of {plate_length:g} m are too many: make them longer.")
-    made = []
-    for row, share in enumerate((0.5, 1.0)):
-        for k in range(count + 1):
-            at = low + (k + share) * plate_length
-            # No narrow plates at the ends.
-            if not low + 0.3 * plate_length < at < high - 0.3 * plate_length:
-                continue
-            for curve in curves.in_plane(plane_across("x", at), f"Butt {at:.2f}"):
-                pieces = curves.pieces(curve, seams)
-                pieces.sort(key=lambda c: -c.points[:, 2].max())
-                # Not across the tips of strakes.
-                made += [p for p in pieces[row::2] if length_of_curve(p) > _SHORTEST_BUTT * strake]
-    return made
+    # Not across the tips of strakes.
+    return staggered_butts(curves, seams, (low, high), plate_length, _SHORTEST_BUTT * strake)

@@ -17,15 +17,7 @@ GridBox half_breadth_grid(const View& view, const HullExtents& extents) {
 
 void draw_grid(SheetBuilder& builder, const View& view, const GridBox& grid,
                const LinesDrawing& drawing, const HullExtents& extents) {
-  std::vector<Tick> stations;
-  for (const NamedCurves& station : drawing.stations) {
-    if (station.position < extents.aft || station.position > extents.fore) continue;
-    const double x = view.to_page(station.position, 0.0).x();
-    draw_vertical(builder, pens::kGrid, grid, x);
-    stations.push_back({x, station.label, inks::kStation, false});
-  }
-  label_verticals(builder, view, std::move(stations), grid.max().y() + 0.5 * kLabelRow);
-
+  draw_stations(builder, view, grid, drawing, extents);
   std::vector<Tick> offsets;
   for (const NamedCurves& buttock : drawing.buttocks) {
     if (buttock.position <= 0.0 || buttock.position > extents.breadth) continue;

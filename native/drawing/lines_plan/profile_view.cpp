@@ -14,18 +14,6 @@ GridBox profile_grid(const View& view, const HullExtents& extents) {
   return grid;
 }
 
-void draw_stations(SheetBuilder& builder, const View& view, const GridBox& grid,
-                   const LinesDrawing& drawing, const HullExtents& extents) {
-  std::vector<Tick> ticks;
-  for (const NamedCurves& station : drawing.stations) {
-    if (station.position < extents.aft || station.position > extents.fore) continue;
-    const double x = view.to_page(station.position, 0.0).x();
-    draw_vertical(builder, pens::kGrid, grid, x);
-    ticks.push_back({x, station.label, inks::kStation, false});
-  }
-  label_verticals(builder, view, std::move(ticks), grid.max().y() + 0.5 * kLabelRow);
-}
-
 }  // namespace
 
 void draw_profile(SheetBuilder& builder, const View& view, const LinesDrawing& drawing,

@@ -193,6 +193,18 @@ bool is_design_waterline(const LinesDrawing& drawing, const NamedCurves& waterli
          std::abs(waterline.position - *drawing.draft) <= 1e-6 * std::abs(*drawing.draft);
 }
 
+void draw_stations(SheetBuilder& builder, const View& view, const GridBox& grid,
+                   const LinesDrawing& drawing, const HullExtents& extents) {
+  std::vector<Tick> ticks;
+  for (const NamedCurves& station : drawing.stations) {
+    if (station.position < extents.aft || station.position > extents.fore) continue;
+    const double x = view.to_page(station.position, 0.0).x();
+    draw_vertical(builder, pens::kGrid, grid, x);
+    ticks.push_back({x, station.label, inks::kStation, false});
+  }
+  label_verticals(builder, view, std::move(ticks), grid.max().y() + 0.5 * kLabelRow);
+}
+
 void draw_heights(SheetBuilder& builder, const View& view, const GridBox& grid,
                   const LinesDrawing& drawing, double bottom, double top) {
   std::vector<Tick> ticks;

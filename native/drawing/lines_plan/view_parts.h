@@ -81,6 +81,11 @@ void label_on_curve(SheetBuilder& builder, const View& view, const std::vector<P
 // Whether this waterline is the design waterline.
 bool is_design_waterline(const LinesDrawing& drawing, const NamedCurves& waterline);
 
+// Grid lines and labels of the stations, which the profile and the half-breadth plan share; those
+// beyond the extents are left out.
+void draw_stations(SheetBuilder& builder, const View& view, const GridBox& grid,
+                   const LinesDrawing& drawing, const HullExtents& extents);
+
 // Grid lines and ticks of the waterlines, the base line and the design waterline, which the profile
 // and the body plan share; those outside the view's heights are left out.
 void draw_heights(SheetBuilder& builder, const View& view, const GridBox& grid,

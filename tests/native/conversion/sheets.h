@@ -54,9 +54,9 @@ inline conversion::PatchSet joined(std::vector<conversion::BSplinePatch> patches
   return set;
 }
 
-// nu x nv patches of 5 x 5 control points taken from a function of (s, t) in [0, 1]^2.
-inline conversion::PatchSet sheet(int nu, int nv,
-                                  const std::function<Vector3d(double, double)>& point) {
+// nu x nv patches of 5 x 5 control points: place(i, j, a, b) of the point (a, b) of patch (i, j).
+template <class Place>
+conversion::PatchSet sheet_by_places(int nu, int nv, const Place& place) {
   std::vector<conversion::BSplinePatch> patches;
   for (int j = 0; j < nv; ++j) {
     for (int i = 0; i < nu; ++i) {
@@ -68,44 +68,33 @@ inline conversion::PatchSet sheet(int nu, int nv,
                                      5,
                                      {},
                                      j * nu + i};
-      for (int a = 0; a < 5; ++a) {
-        for (int b = 0; b < 5; ++b) {
-          patch.control_points.push_back(point((4 * i + a) / (4.0 * nu), (4 * j + b) / (4.0 * nv)));
-        }
-      }
+      for (int k = 0; k < 25; ++k) patch.control_points.push_back(place(i, j, k / 5, k % 5));
       patches.push_back(std::move(patch));
     }
   }
   return joined(std::move(patches));
 }
 
+// nu x nv patches of 5 x 5 control points taken from a function of (s, t) in [0, 1]^2.
+inline conversion::PatchSet sheet(int nu, int nv,
+                                  const std::function<Vector3d(double, double)>& point) {
+  return sheet_by_places(nu, nv, [&](int i, int j, int a, int b) {
+    return point((4 * i + a) / (4.0 * nu), (4 * j + b) / (4.0 * nv));
+  });
+}
+
 // A flat rectangle of a x b metres in the plane z = 0, its normal up, of nu x nv patches. The
 // control points are spaced so that (u, v) is proportional to (x, y).
 inline conversion::PatchSet rectangle(double a, double b, int nu = 1, int nv = 1) {
   constexpr double kGreville[5] = {0.0, 1.0 / 6, 0.5, 5.0 / 6, 1.0};
-  std::vector<conversion::BSplinePatch> patches;
-  for (int j = 0; j < nv; ++j) {
-    for (int i = 0; i < nu; ++i) {
-      conversion::BSplinePatch patch{3,
-                                     3,
-                                     conversion::open_uniform_knots(3, 5),
-                                     conversion::open_uniform_knots(3, 5),
-                                     5,
-                                     5,
-                                     {},
-                                     j * nu + i};
-      // Ends are computed the same way from both sides of a joint.
-      const auto at = [&](int number, int k, int count, double length) {
-        if (k == 4) return length * (number + 1) / count;
-        return length * number / count + length / count * kGreville[k];
-      };
-      for (int k = 0; k < 25; ++k) {
-        patch.control_points.emplace_back(at(i, k / 5, nu, a), at(j, k % 5, nv, b), 0.0);
-      }
-      patches.push_back(std::move(patch));
-    }
-  }
-  return joined(std::move(patches));
+  // Ends are computed the same way from both sides of a joint.
+  const auto at = [&](int number, int k, int count, double length) {
+    if (k == 4) return length * (number + 1) / count;
+    return length * number / count + length / count * kGreville[k];
+  };
+  return sheet_by_places(nu, nv, [&](int i, int j, int k, int l) {
+    return Vector3d(at(i, k, nu, a), at(j, l, nv, b), 0.0);
+  });
 }
 
 // How many edges are one patch's alone.

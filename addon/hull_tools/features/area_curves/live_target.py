@@ -76,8 +76,7 @@ def follow(obj, scene):
 
 def known(obj):
     """The LiveTarget of a hull as it was last looked at, or None."""
-    state = hull_state.state_of(obj)
-    return None if state is None else state.of(LiveTarget)
+    return hull_state.known(obj, LiveTarget)
 
 
 def present(obj, scene):

@@ -1,27 +1,22 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What of a hull's settings follows when the hull is scaled: Object.hull, by hull_io.scaling."""
 
-from ....hull_io.scaling import CHANGES
+from ....hull_io import scaling
 from ..constraints import flats
 from ..hull import appendage_data
+
+# Groups that Object.hull has as HullData has them.
+_AS_IN_FILES = ("lines.", "resistance.", "weights.", "wind.", "targets.", "area_target.base.")
 
 # How each number and text of Object.hull follows, by its place, as CHANGES names it; what is in
 # metres whatever the scene's units, as lists of positions, too.
 FOLLOWING = {
+    **{place: how for place, how in scaling.FOLLOWING.items() if place.startswith(_AS_IN_FILES)},
     "length_pp": "x",
     "beam": "y",
     "draft": "at z",
     "depth": "at z",
     "trim_m": "z",
-    "lines.stations": "stations",
-    "lines.frame_spacing": "x",
-    "lines.waterline_spacing": "z",
-    "lines.waterlines": "list z",
-    "lines.buttock_spacing": "y",
-    "lines.buttocks": "list y",
-    "lines.diagonals": "diagonals",
-    "lines.planes.normal": "normal",
-    "lines.planes.point": "point",
     "fairness.comb_step": "x",
     "loading.mass_t": "volume",
     "loading.kg": "at z",
@@ -34,38 +29,6 @@ FOLLOWING = {
     "loading.load_cases.lcg": "at x",
     "loading.load_cases.tcg": "at y",
     "loading.load_cases.vcg": "at z",
-    "weights.items.mass_t": "volume",
-    "weights.items.lcg": "at x",
-    "weights.items.tcg": "at y",
-    "weights.items.vcg": "at z",
-    "resistance.appendage_area": "profile",
-    "resistance.propeller_diameter": "z",
-    "resistance.chine_beam": "y",
-    "resistance.thrust_arm": "z",
-    "resistance.thruster_diameter": "z",
-    "resistance.planing_mass_t": "volume",
-    "resistance.planing_lcg": "x",
-    "resistance.holtrop.length": "x",
-    "resistance.holtrop.beam": "y",
-    "resistance.holtrop.draft_forward": "at z",
-    "resistance.holtrop.draft_aft": "at z",
-    "resistance.holtrop.displaced_volume": "volume",
-    "resistance.holtrop.wetted_surface": "surface",
-    "resistance.holtrop.bulb_area": "section",
-    "resistance.holtrop.bulb_height": "at z",
-    "resistance.holtrop.transom_area": "section",
-    "resistance.delft.length": "x",
-    "resistance.delft.beam": "y",
-    "resistance.delft.draft": "z",
-    "resistance.delft.volume": "volume",
-    "resistance.delft.waterplane_area": "plan",
-    "resistance.delft.wetted_surface": "surface",
-    "resistance.delft.lcb": "x",
-    "resistance.delft.lcf": "x",
-    "wind.areas.area": "profile",
-    "wind.areas.z": "at z",
-    "wind.lever": "z",
-    "wind.keel_area": "profile",
     "table.draft_from": "at z",
     "table.draft_to": "at z",
     "table.draft_step": "z",
@@ -74,9 +37,6 @@ FOLLOWING = {
     "transform.kept_fore": "x",
     "transform.kept_fade": "x",
     "plates.rules.value": "seam",
-    "targets.rows.station": "at x",
-    "area_target.base.x": "at x",
-    "area_target.base.area": "section",
     "area_target.area_points.x": "at x",
     "area_target.area_points.area": "section",
     "fields.fields.place": "point",
@@ -183,6 +143,6 @@ def _follow(group, names, change, scale, zero_is_none):
     value = tuple(value) if is_vector else value
     if zero_is_none and value == 0.0:
         return
-    changed = CHANGES[change](scale, group, value)
+    changed = scaling.CHANGES[change](scale, group, value)
     if changed != value:
         setattr(group, name, changed)

@@ -86,9 +86,7 @@ class Table(AnalysisFile):
         if self._is_imperial and hasattr(analysis, "in_feet"):
             return tables.write_table(path, *analysis.in_feet(result))
         header, rows = analysis.header(result), analysis.rows(result)
-        if self._is_imperial:
-            header, rows = table_units.in_imperial(header, rows)
-        tables.write_table(path, header, rows)
+        table_units.write_shown(path, header, rows, self._is_imperial)
 
 
 class Plot(AnalysisFile):

@@ -5,6 +5,7 @@ over by the units in the header's brackets."""
 import re
 
 from ...bridge.blender import units
+from . import tables
 
 _BRACKET = re.compile(r"\[([^\]]+)\]")
 _EACH_ROW_S = "see unit"  # values have the unit that the column "unit" names
@@ -16,6 +17,11 @@ _OTHERS = {
     "1/m": (1.0 / 0.3048, "1/ft"),
     "kN/deg": (0.0044482216152605, "lbf/deg"),
 }
+
+
+def write_shown(path, header, rows, is_imperial):
+    """tables.write_table, in the units of a scene's system."""
+    tables.write_table(path, *(in_imperial(header, rows) if is_imperial else (header, rows)))
 
 
 def in_imperial(header, rows):

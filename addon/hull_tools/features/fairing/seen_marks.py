@@ -159,8 +159,7 @@ def last_report(obj):
 
 def shown_place(obj):
     """(number, (Line, Found)) of the place that is shown of a hull; (-1, None) where none is."""
-    state = hull_state.state_of(obj)
-    known = None if state is None else state.of(Known)
+    known = hull_state.known(obj, Known)
     if known is None or known.report is None or not 0 <= known.shown < len(known.report.places):
         return -1, None
     return known.shown, known.report.places[known.shown]
@@ -189,8 +188,7 @@ def accept_none(obj, scene):
     """Forgets what was accepted; returns how many marks that were."""
     count = len(obj.hull.fairness.accepted)
     obj.hull.fairness.accepted.clear()
-    state = hull_state.state_of(obj)
-    known = None if state is None else state.of(Known)
+    known = hull_state.known(obj, Known)
     if known is not None and known.report is not None:
         known.report, known.shown = _sifted(known.report, obj, scene), -1
     return count

@@ -69,8 +69,7 @@ class Before:
 
 def of_hull(obj):
     """The Before of a hull of which something is known, else None."""
-    state = hull_state.state_of(obj)
-    return None if state is None else state.of(Before)
+    return hull_state.known(obj, Before)
 
 
 def changes(obj):

@@ -32,8 +32,7 @@ class Held:
 
 def held(obj):
     """The Held of a hull of which something is known, or None."""
-    state = hull_state.state_of(obj)
-    return None if state is None else state.of(Held)
+    return hull_state.known(obj, Held)
 
 
 def at_hand(obj, scene):

@@ -23,8 +23,7 @@ class Seen:
 
 def of_hull(obj):
     """The Seen of a hull of which something is known, else None."""
-    state = hull_state.state_of(obj)
-    return None if state is None else state.of(Seen)
+    return hull_state.known(obj, Seen)
 
 
 def follow(obj, scene):

@@ -2,6 +2,7 @@
 """How a hull lies in the water by its settings, in metres and radians."""
 
 from dataclasses import dataclass, replace
+from functools import partial
 from math import atan, cos, degrees, radians
 
 from ...bridge import limits
@@ -57,22 +58,25 @@ class Afloat:
 
 def afloat(settings, metres_per_unit):
     """Afloat of an Object.hull; ValueError for what no ship has."""
-
-    def metres(value, name, least):
-        length = as_typed(value) * metres_per_unit
-        return limits.within(length, f"{name} in m", least, limits.LONGEST)
-
+    metres = partial(length_in_metres, metres_per_unit)
     heel = as_typed_angle(settings.heel)
     return Afloat(
         draft=metres(settings.draft, "Draft", -limits.LONGEST),
         trim_m=metres(settings.trim_m, "Trim", -limits.LONGEST),
         heel=limits.within(heel, "Heel in rad", -limits.GREATEST_HEEL, limits.GREATEST_HEEL),
-        length_pp=metres(settings.length_pp, "Lpp", 0.0),
-        beam=metres(settings.beam, "Beam", 0.0),
+        length_pp=metres(settings.length_pp, "Lpp"),
+        beam=metres(settings.beam, "Beam"),
         water_density=limits.within(
             as_typed(settings.water_density), "Density in t/m³", *limits.DENSITIES
         ),
     )
+
+
+def length_in_metres(metres_per_unit, value, name, least=0.0):
+    """A length of the settings, in Blender's units; ValueError, by its name, for what no ship
+    has."""
+    length = as_typed(value) * metres_per_unit
+    return limits.within(length, f"{name} in m", least, limits.LONGEST)
 
 
 def as_typed_angle(value):

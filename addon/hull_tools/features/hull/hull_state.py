@@ -118,6 +118,12 @@ def up_to_date(obj, scene):
     return refresh(obj, scene).checked()
 
 
+def known(obj, subject):
+    """What is kept for a subject's class of a hull of which something is known, else None."""
+    state = state_of(obj)
+    return None if state is None else state.of(subject)
+
+
 def last_report(obj, subject):
     """(the report that a subject of a hull's state keeps or None, whether it is of the hull as it
     is)."""

@@ -15,7 +15,7 @@ from ...bridge.background import jobs
 from ...bridge.blender import units
 from ..conversion import conversions, patches
 from ..curves_of_form import hydrostatic_table, sectional_areas
-from ..exchange import cad_files, table_units, tables
+from ..exchange import cad_files, table_units
 from ..flotation import hydrostatics
 from ..flotation.ship import Ship
 from ..hull import hull_state, hull_to_data
@@ -62,9 +62,7 @@ def _write_tables(found, path, progress, is_imperial):
         (path, _header(found), rows),
         (areas_path(path), areas_header, areas),
     ):
-        if is_imperial:
-            header, table = table_units.in_imperial(header, table)
-        tables.write_table(where, header, table)
+        table_units.write_shown(where, header, table, is_imperial)
     return [path, areas_path(path)]
 
 

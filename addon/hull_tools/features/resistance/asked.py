@@ -3,6 +3,7 @@
 
 import math
 from dataclasses import dataclass, replace
+from functools import partial
 
 from ...bridge import limits
 from ...bridge.blender.units import METRIC, as_typed
@@ -59,11 +60,7 @@ def inputs(settings, metres_per_unit):
 
 def own_inputs(settings, metres_per_unit):
     """Inputs of the hull alone."""
-    own = settings.resistance
-
-    def metres(value, name, least=0.0):
-        length = as_typed(value) * metres_per_unit
-        return limits.within(length, f"{name} in m", least, limits.LONGEST)
+    own, metres = settings.resistance, partial(afloat.length_in_metres, metres_per_unit)
 
     def number(name, title, least, greatest):
         return limits.within(as_typed(getattr(own, name)), title, least, greatest)
