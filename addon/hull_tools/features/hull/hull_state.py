@@ -100,9 +100,8 @@ def follow_edit(obj, scene, is_by_hand=True, may_wait=False, placed=None):
         return placed(obj, scene, found, lambda: state.keeping.keep(obj, state.ship, False))
 
     state = _brought_up_to_date(obj, scene, read, may_wait)
-    if (
-        state.refusal and placed is not None
-    ):  # nothing is read of it, and its points go all the same
+    if state.refusal and placed is not None:
+        # Nothing was read of it; its points go all the same.
         placed(obj, scene, hull_mesh.read(obj), lambda: hull_mesh.read(obj))
     return state
 
