@@ -209,12 +209,12 @@ def test_two_plots_leave_most_of_a_usual_view_free():
     part("features.analyses").outcome_of(hull, bpy.context.scene, "righting_levers")
     hull.update_tag()
     bpy.context.view_layer.update()
-    overlay, preferences = part("overlays.plots"), part("bridge.blender.preferences")
-    dots = overlay.DOTS_PER_MM * preferences.DEFAULTS["plot_size"]
+    layout, preferences = part("features.analyses.plot_layout"), part("bridge.blender.preferences")
+    dots = part("bridge.blender.view_room").DOTS_PER_MM * preferences.DEFAULTS["plot_size"]
     sizes = [(card.width_mm * dots, card.height_mm * dots) for card in shown()]
     assert len(sizes) == 2
     # The 3D view of a window of 1920 × 1080, with sidebar, outliner and properties beside it.
     room = (40.0, 0.0, 1200.0, 900.0)
-    places, factor = overlay.card_places(sizes, "BOTTOM_LEFT", room, overlay._GAP)
+    places, factor = layout.in_room(sizes, "BOTTOM_LEFT", room, layout._GAP)
     assert factor == 1.0 and len(places) == 2
     assert sum(width * height for width, height in sizes) < 0.25 * room[2] * room[3]
