@@ -186,16 +186,10 @@ def _of_normals(mesh, fresh):
     return []
 
 
-def _points_of(mesh):
-    points = np.empty((len(mesh.vertices), 3), dtype=np.float32)
-    mesh.vertices.foreach_get("co", points.reshape(-1))
-    return points
-
-
 def _beside_no_length(mesh, quads):
     """Which corners (4 q,) of faces (q, 4) are on a face with a side that has no length in single
     precision."""
-    points = _points_of(mesh)
+    points = part("features.surface.surface_mesh").points_of(mesh)
     corners = points[quads]
     sides = np.linalg.norm(corners - np.roll(corners, 1, axis=1), axis=2)
     least = np.finfo(np.float32).eps * np.abs(points).max(initial=0.0)
@@ -206,7 +200,7 @@ def _beside_folds(mesh, quads):
     """Which corners (4 q,) of faces (q, 4) are at an end of an edge along which the surface turns
     right back. Blender's own normal there, to which it keeps ours, is the sum of two that cancel:
     rounding in the order in which its threads come by, or none."""
-    corners = _points_of(mesh)[quads].astype(float)
+    corners = part("features.surface.surface_mesh").points_of(mesh)[quads].astype(float)
     normals = np.cross(corners[:, 2] - corners[:, 0], corners[:, 3] - corners[:, 1])
     normals /= np.maximum(np.linalg.norm(normals, axis=1), np.finfo(float).tiny)[:, None]
     edges = np.stack([quads, np.roll(quads, -1, axis=1)], axis=2).reshape(-1, 2)
