@@ -90,8 +90,8 @@ def _size_errors(control, half):
         return []
     shown, irregular = _least_shown(control, half)
     message = (
-        f"The mesh is too fine: its surface would have {shown} faces, {irregular} cells of it beside "
-        f"irregular points, each of which counts for {limits.FACES_FOR_IRREGULAR_CELL} more; "
+        f"The mesh is too fine: its surface would have {shown} faces, {irregular} cells of it "
+        f"beside irregular points, each of which counts for {limits.FACES_FOR_IRREGULAR_CELL} more; "
         f"{limits.MOST_SHOWN_FACES} can follow its points. Use a coarser one, of faces with four "
         "corners"
     )
