@@ -91,7 +91,7 @@ def _size_errors(control, half):
     shown, irregular = _least_shown(control, half)
     message = (
         f"The mesh is too fine: its surface would have {shown} faces, {irregular} cells of it "
-        f"beside irregular points, each of which counts for {limits.FACES_FOR_IRREGULAR_CELL} more; "
+        f"beside irregular points, which count for {limits.FACES_FOR_IRREGULAR_CELL} more each; "
         f"{limits.MOST_SHOWN_FACES} can follow its points. Use a coarser one, of faces with four "
         "corners"
     )
