@@ -9,7 +9,7 @@
 namespace hull::analysis {
 namespace {
 
-constexpr double kRounding = 4.0 * std::numeric_limits<double>::epsilon();
+constexpr double kGaussRounding = 4.0 * std::numeric_limits<double>::epsilon();
 
 TEST(Gauss, RulesAreExactToTheirDegree) {
   for (int n = 1; n <= 20; ++n) {
@@ -17,7 +17,7 @@ TEST(Gauss, RulesAreExactToTheirDegree) {
     for (int power = 0; power < 2 * n; ++power) {
       double sum = 0.0;
       for (int i = 0; i < n; ++i) sum += rule.weights[i] * std::pow(rule.nodes[i], power);
-      EXPECT_NEAR(sum, 1.0 / (power + 1.0), n * kRounding) << n << " nodes, power " << power;
+      EXPECT_NEAR(sum, 1.0 / (power + 1.0), n * kGaussRounding) << n << " nodes, power " << power;
     }
   }
 }
@@ -26,8 +26,8 @@ TEST(Gauss, ConstantsAreTheRulesOfFewNodes) {
   for (const ShortGaussRule& constant : {kTwoNodes, kThreeNodes, kFourNodes}) {
     const GaussRule rule = gauss_rule(constant.count);
     for (int i = 0; i < constant.count; ++i) {
-      EXPECT_NEAR(constant.nodes[i], rule.nodes[i], kRounding) << constant.count;
-      EXPECT_NEAR(constant.weights[i], rule.weights[i], kRounding) << constant.count;
+      EXPECT_NEAR(constant.nodes[i], rule.nodes[i], kGaussRounding) << constant.count;
+      EXPECT_NEAR(constant.weights[i], rule.weights[i], kGaussRounding) << constant.count;
     }
   }
 }
