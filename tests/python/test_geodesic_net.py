@@ -5,7 +5,7 @@ to, and across the centre plane."""
 import hull_native as hn
 import numpy as np
 import pytest
-from test_shape_fields import surface_of
+from vessels import surface_of_sample
 
 SEED = 20261124
 COUNT = 1500
@@ -89,14 +89,14 @@ def test_ways_lead_across_the_centre_plane_of_halves():
 
 
 def test_a_base_that_is_not_on_the_surface_is_refused():
-    surface = surface_of("coaster")
+    surface = surface_of_sample("coaster")
     net = hn.GeodesicNet(surface, mirrored=True)
     with pytest.raises(ValueError, match="nowhere on the hull"):
         hn.ShapeField.at_point((0, 100, 0), extent=5).along_surface(net)
 
 
 def test_the_base_is_met_and_gradients_are_bounded():
-    surface = surface_of("coaster")
+    surface = surface_of_sample("coaster")
     places = hn.SurfacePlaces(surface).positions
     net = hn.GeodesicNet(surface, mirrored=True)
     base, shift, extent = places[100], np.array([0.0, 0.3, 0.0]), 15.0
@@ -113,7 +113,7 @@ def test_the_base_is_met_and_gradients_are_bounded():
 
 
 def test_a_curve_becomes_another_along_the_surface():
-    surface = surface_of("coaster")
+    surface = surface_of_sample("coaster")
     crease = max(hn.crease_curves(surface), key=lambda c: hn.FieldCurve.of_crease(c).length)
     curve = hn.FieldCurve.of_crease(crease)
     lengths = np.linspace(0.0, curve.length, 200)

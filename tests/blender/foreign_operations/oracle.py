@@ -48,6 +48,8 @@ class Fresh:
         try:
             where = part("features.flotation.afloat").afloat(settings, scale)
             body = _with_appendages(source.live_body(self.surface), hull, scale, control.points)
+            if body.joined_volume is None and body.may_overlap:
+                body = _counted_once(body, source, control.points)
             own = ship.Ship(body, ())
             self.hydrostatics = part("features.flotation.hydrostatics").at(own, where)
         except ValueError as error:
@@ -70,6 +72,17 @@ def _with_appendages(body, hull, scale, points):
     except ValueError:
         pass  # they are told, and the hull counts alone
     return body
+
+
+def _counted_once(body, source, points):
+    """The HullBody with its own bodies counted once where they overlap by more than a little, and
+    can be joined."""
+    try:
+        body.join([])
+    except ValueError:
+        return body  # that is told, and they add up
+    little = part("features.flotation.live_ship")._SLIGHT * np.prod(np.ptp(points, axis=0))
+    return body if -body.joined_volume > little else source.live_body(body.surface)
 
 
 _latest = {}  # by the name of a hull: (what it is computed of, the Fresh of that)
