@@ -21,9 +21,8 @@ from .freeship_plating import plating
 from .freeship_points import border_edges, point_kinds
 from .freeship_units import FOOT, POUND_PER_CUBIC_FOOT, plating_units
 from .hull_data import edge_key, face_edges, shell_face_indices
-from .limits import FURTHEST_POINT, MAX_COUNT
+from .limits import FURTHEST_POINT, MAX_COUNT, SEA_WATER_DENSITY
 from .real_points import real_points
-from .ship_data import SEA_WATER_DENSITY
 from .subdivision import subdivided
 
 VERSION = 201

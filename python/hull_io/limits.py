@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What no honest hull file exceeds: held against every file before memory is spent on it."""
+"""What no honest hull file exceeds: held against every file before memory is spent on it; and what
+is meant where none says it."""
 
 MAX_FILE_BYTES = 64 * 2**20
 # A JSON text takes up to 40 times its size in memory.
@@ -61,3 +62,6 @@ CAD_MEMORY_BYTES = 10**9
 CAD_MEMORY_PER_BYTE = 60
 CAD_SECONDS = 4
 CAD_SECONDS_PER_MB = 3.0
+
+# t/m3, where nobody gives another: hull_native.SEA_WATER_DENSITY, which files are written without.
+SEA_WATER_DENSITY = 1.025

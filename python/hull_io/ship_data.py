@@ -5,9 +5,6 @@ the wind on her, and how her resistance is found. Lengths in m and axes as in hu
 
 from dataclasses import dataclass, field
 
-# t/m3, where nobody gives another: hull_native.SEA_WATER_DENSITY, which files are written without.
-SEA_WATER_DENSITY = 1.025
-
 
 @dataclass
 class Afloat:

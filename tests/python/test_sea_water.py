@@ -7,10 +7,10 @@ import re
 from pathlib import Path
 
 import hull_native as hn
-from hull_io.ship_data import SEA_WATER_DENSITY
+from hull_io.limits import SEA_WATER_DENSITY
 
 ROOT = Path(__file__).resolve().parents[2]
-HOMES = {"native/analysis/immersion/sea_water.h", "python/hull_io/ship_data.py"}
+HOMES = {"native/analysis/immersion/sea_water.h", "python/hull_io/limits.py"}
 
 
 def numbers(path):

@@ -8,7 +8,7 @@ files that FREE!ship exports have it.
 
 from xml.sax.saxutils import escape
 
-from ..ship_data import SEA_WATER_DENSITY
+from ..limits import SEA_WATER_DENSITY
 from .numbers_as_text import decimal
 
 

@@ -17,7 +17,7 @@ GHS and the files that FREE!ship exports have it.
 import numpy as np
 
 from ..errors import HullFileError
-from ..ship_data import SEA_WATER_DENSITY
+from ..limits import SEA_WATER_DENSITY
 from .numbers_as_text import decimal, plain_name
 
 FOOT = 0.3048

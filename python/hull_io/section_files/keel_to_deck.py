@@ -6,8 +6,8 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from ..errors import HullFileError
+from ..limits import SEA_WATER_DENSITY
 from ..mirror import NEAR_CENTRE_PLANE
-from ..ship_data import SEA_WATER_DENSITY
 
 # Of the hull's size: ends of branches that are nearer meet.
 _MEETS = 1e-6

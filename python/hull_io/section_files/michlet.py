@@ -12,7 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..errors import HullFileError
-from ..ship_data import SEA_WATER_DENSITY
+from ..limits import SEA_WATER_DENSITY
 from .numbers_as_text import decimal, plain_name
 
 GRAVITY = 9.80665

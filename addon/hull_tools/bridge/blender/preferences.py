@@ -7,7 +7,7 @@ then on: a file looks the same on every machine.
 
 import bpy
 
-from ....hull_io.ship_data import SEA_WATER_DENSITY
+from ....hull_io.limits import SEA_WATER_DENSITY
 from . import palette
 
 # The add-on's name in Blender: a legacy one or an extension.
