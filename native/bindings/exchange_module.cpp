@@ -73,6 +73,7 @@ py::dict to_dict(const exchange::CadReport& report) {
   dict["regions"] = regions_of(report);
   dict["layers"] = report.layers;
   dict["cells_left_out"] = report.cells_left_out;
+  dict["warnings"] = report.warnings;
   dict["bytes"] = report.bytes;
   return dict;
 }
@@ -236,8 +237,8 @@ void bind_place_error(py::module_& module) {
   PyObject* const type = PyErr_NewExceptionWithDoc(
       "hull_native.PlaceError",
       "What is wrong with patches at one place: a ValueError whose message says where and what to "
-      "do about it. point: (3,), m; kind: \"face\", or \"mesh\" where no element is known; "
-      "elements: the faces of the control mesh.",
+      "do about it. point: (3,), m; kind: \"face\" or \"vertex\", or \"mesh\" where no element is "
+      "known; elements: the faces or points of the control mesh.",
       PyExc_ValueError, nullptr);
   if (type == nullptr) throw py::error_already_set();
   module.add_object("PlaceError", type);
@@ -248,8 +249,14 @@ void bind_place_error(py::module_& module) {
     } catch (const conversion::PlaceError& found) {
       const py::object raised = py::reinterpret_borrow<py::object>(place_error)(found.what());
       raised.attr("point") = to_array(std::vector{found.point()}).reshape({py::ssize_t{3}});
-      raised.attr("kind") = found.face() < 0 ? "mesh" : "face";
-      raised.attr("elements") = found.face() < 0 ? py::make_tuple() : py::make_tuple(found.face());
+      if (!found.vertices().empty()) {
+        raised.attr("kind") = "vertex";
+        raised.attr("elements") = py::tuple(py::cast(found.vertices()));
+      } else {
+        const bool is_known = found.face() >= 0;
+        raised.attr("kind") = is_known ? "face" : "mesh";
+        raised.attr("elements") = is_known ? py::make_tuple(found.face()) : py::make_tuple();
+      }
       PyErr_SetObject(place_error, raised.ptr());
     }
   });
@@ -287,7 +294,8 @@ PYBIND11_MODULE(_exchange, module) {
       "free), numbers of solids, shells, faces, edges and free_edges (with one face), "
       "free_edge_length (m), area (m2), volume (m3, or None unless closed), box (2, 3; m), curves "
       "(of no face), regions (dicts of name, colour, faces and area), layers, bytes, and from "
-      "writing cells_left_out (cells without area). Raises OSError if the file can't be read.");
+      "writing cells_left_out (cells without area) and warnings (sentences, as of a gap in the "
+      "centre line). Raises OSError if the file can't be read.");
   bind_cad_geometry(module);
   refuse_unmade_instances(module);
 }

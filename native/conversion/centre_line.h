@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "conversion/patches/patch_set.h"
@@ -17,8 +18,12 @@ std::optional<surface::LimitSurface> with_centre_line(const surface::LimitSurfac
 // Of the surface itself, not of that in its place.
 PatchSource source_of(const surface::LimitSurface& surface);
 
-// Throws std::invalid_argument that says where such points are and what to do with them, if there
-// are any.
-void refuse_near_centre_line(const std::vector<Vector3d>& points, double size);
+// Throws a PlaceError that says where points near the centre line are and what to do with them, if
+// there are any.
+void refuse_near_centre_line(const PatchSource& source, double size);
+
+// A sentence that tells where the centre line has gaps, as the two sides are not joined there;
+// empty where it has none.
+std::string gap_warning(const PatchSource& source);
 
 }  // namespace hull::conversion

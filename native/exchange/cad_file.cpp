@@ -131,6 +131,7 @@ class FileWriter {
         refuse(wrong, report);
       }
       report.cells_left_out = std::move(model_.cells_left_out);
+      report.warnings = std::move(model_.warnings);
       // Only now, after it was found to say what was meant, does it take its name.
       file_->replace();
       return report;
@@ -184,9 +185,10 @@ class FileWriter {
     });
   }
 
-  // Names the face of the control mesh where it is known.
+  // Names the face of the control mesh where it is known, and no point is.
   [[noreturn]] void refuse_with_face(const conversion::PatchSet& patches,
                                      const conversion::PlaceError& error) const {
+    if (!error.vertices().empty()) throw error;
     Vector3d point = error.point();
     if (options_.mirrored && point.y() < 0.0) point.y() = -point.y();
     const int face = conversion::nearest_control_face(patches, point);

@@ -151,14 +151,16 @@ void check_solid(const BRepShape& brep) {
 CadModel make_cad_model(const conversion::PatchSet& patches, const CadOptions& options) {
   check_size(patches, options.mirrored);
   patches.check();
+  CadModel model;
   if (options.mirrored || (options.solid && is_on_one_side(patches))) {
-    conversion::refuse_near_centre_line(patches.source.near_centre_line, patches.size());
+    conversion::refuse_near_centre_line(patches.source, patches.size());
+    const std::string gap = conversion::gap_warning(patches.source);
+    if (!gap.empty()) model.warnings.push_back(gap);
   }
   conversion::WithoutFlatPatches flat = conversion::without_flat_patches(patches);
   if (flat.patches.patches.empty()) {
     throw std::invalid_argument("no patch has an area: nothing to write");
   }
-  CadModel model;
   model.regions = regions_of(patches, flat.patches, flat.is_kept, options.regions);
   model.cells_left_out = std::move(flat.left_out);
   conversion::PatchSet set = options.mirrored ? conversion::with_mirror_image(flat.patches)

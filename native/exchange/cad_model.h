@@ -18,6 +18,7 @@ struct CadModel {
   std::vector<std::string> regions;        // of every face
   std::vector<CadCurve> curves;            // clamped, images included
   std::vector<int> cells_left_out;         // those without area
+  std::vector<std::string> warnings;       // sentences about what was probably not meant
   Eigen::AlignedBox3d box;                 // of the faces, by the points of a CadReport
   conversion::SurfaceIntegrals integrals;  // of all faces
   double size = 0.0;

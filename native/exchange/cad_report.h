@@ -46,10 +46,11 @@ struct CadReport {
   // Smallest box around (kBoxSteps + 1)^2 points of each B-spline face, equally spaced in its
   // parameters, borders included: never larger than the true one.
   Eigen::Vector3d box_min = Eigen::Vector3d::Zero(), box_max = Eigen::Vector3d::Zero();
-  int curves = 0;                   // edges of no face
-  std::vector<CadRegion> regions;   // layers with faces, by name
-  std::vector<std::string> layers;  // all, by name
-  std::vector<int> cells_left_out;  // writing only: cells without area, which make no face
+  int curves = 0;                     // edges of no face
+  std::vector<CadRegion> regions;     // layers with faces, by name
+  std::vector<std::string> layers;    // all, by name
+  std::vector<int> cells_left_out;    // writing only: cells without area, which make no face
+  std::vector<std::string> warnings;  // writing only: what was probably not meant, in sentences
   std::uintmax_t bytes = 0;
 };
 

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
+#include <utility>
 
 #include "mesh/tolerances.h"
 
@@ -18,6 +20,34 @@ void for_each_border_edge(const Topology& topology, const Visit& visit) {
   for (int h = 0; h < topology.half_edge_count(); ++h) {
     if (topology.twin(h) < 0) visit(topology.origin(h), topology.origin(topology.next(h)));
   }
+}
+
+// The borders' vertices, loop by loop.
+std::vector<std::vector<int>> border_loops(const Topology& topology, std::size_t vertex_count) {
+  std::vector<int> next(vertex_count, -1);
+  for_each_border_edge(topology, [&](int a, int b) { next[a] = b; });
+  std::vector<std::vector<int>> loops;
+  for (std::size_t first = 0; first < vertex_count; ++first) {
+    std::vector<int> loop;
+    for (int v = static_cast<int>(first); next[v] >= 0;) {
+      loop.push_back(v);
+      v = std::exchange(next[v], -1);
+    }
+    if (!loop.empty()) loops.push_back(std::move(loop));
+  }
+  return loops;
+}
+
+// Gaps of a chain of vertices that follow one another near the plane.
+void add_gaps(const std::vector<int>& chain, const std::vector<bool>& is_on,
+              std::vector<int>& found) {
+  const auto on = [&](int v) { return is_on[v]; };
+  const auto begin = std::ranges::find_if(chain, on);
+  const auto end = std::find_if(chain.rbegin(), chain.rend(), on).base();
+  if (begin >= end) return;
+  std::vector<int> off;
+  std::copy_if(begin, end, std::back_inserter(off), [&](int v) { return !is_on[v]; });
+  if (2 * off.size() < chain.size()) found.insert(found.end(), off.begin(), off.end());
 }
 
 }  // namespace
@@ -52,6 +82,35 @@ std::vector<int> vertices_near_centre_line(const ControlMesh& mesh) {
       }
     });
   } while (found.size() > known);
+  std::ranges::sort(found);
+  return found;
+}
+
+std::vector<int> gaps_in_centre_line(const ControlMesh& mesh) {
+  const std::vector<Eigen::Vector3d>& points = mesh.points();
+  const double on = kOnCentrePlane * mesh.size(), at = kAtCentreLine * mesh.size();
+  std::vector<bool> is_on(points.size());
+  for (std::size_t v = 0; v < points.size(); ++v) is_on[v] = std::abs(points[v].y()) <= on;
+  const auto is_far = [&](int v) { return std::abs(points[v].y()) > at; };
+  std::vector<int> found;
+  for (std::vector<int>& loop : border_loops(mesh.topology(), points.size())) {
+    // From a point that is in no chain on, or else on the plane, so that none is cut in two.
+    auto first = std::ranges::find_if(loop, is_far);
+    if (first == loop.end()) first = std::ranges::find_if(loop, [&](int v) { return is_on[v]; });
+    if (first != loop.end()) std::ranges::rotate(loop, first);
+    std::vector<int> chain;
+    for (int v : loop) {
+      if (!is_far(v)) {
+        chain.push_back(v);
+        continue;
+      }
+      add_gaps(chain, is_on, found);
+      chain.clear();
+    }
+    // A loop that is near the plane all around is closed again where it began.
+    if (!chain.empty() && chain.size() == loop.size()) chain.push_back(loop.front());
+    add_gaps(chain, is_on, found);
+  }
   std::ranges::sort(found);
   return found;
 }

@@ -21,4 +21,10 @@ std::vector<Eigen::Vector3d> points_with_centre_line(const ControlMesh& mesh);
 // all of them have been put there.
 std::vector<int> vertices_near_centre_line(const ControlMesh& mesh);
 
+// The vertices, in order, of gaps in the centre line: border points between such that are within
+// kOnCentrePlane, themselves further off, but not beyond kAtCentreLine, where these are fewer than
+// half of the border points that follow one another that near to the plane. A bar keel as a whole
+// is none, nor is a deck's edge. They may be meant, as a well's opening is.
+std::vector<int> gaps_in_centre_line(const ControlMesh& mesh);
+
 }  // namespace hull::mesh

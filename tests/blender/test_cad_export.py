@@ -293,32 +293,3 @@ def test_a_hull_without_a_surface_is_a_message(old_file):
     assert not bpy.ops.hull.export_step.poll()
     with pytest.raises(ValueError, match="scale"):
         part("features.exchange.cad_files").Export(hull, bpy.context.scene, str(old_file), "STEP")
-
-
-def test_what_keeps_a_file_from_being_written_is_selected(tmp_path):
-    """Away from the centre plane, and with a corner of its deck raised, the half has a border
-    neither flat nor symmetric."""
-    hull = add_hull()
-    hull.hull.half = False
-    for vertex in hull.data.vertices:
-        vertex.co.y += 1.0
-    max(hull.data.vertices, key=lambda vertex: sum(vertex.co)).co.z += 0.5
-    hull.data.update()
-    hull.hull.export.extent = "SOLID"
-    with pytest.raises(
-        RuntimeError, match=r"neither flat nor symmetric.*\(face \d+ of the control"
-    ):
-        export("STEP")(filepath=str(tmp_path / "box.step"))
-    assert not list(tmp_path.iterdir())
-    problem = part("features.exchange.cad_files").problem_of(hull)
-    assert bpy.ops.hull.select_cad_problem() == {"FINISHED"}
-    assert hull.mode == "EDIT"
-    bpy.ops.object.mode_set(mode="OBJECT")
-    assert [face.index for face in hull.data.polygons if face.select] == list(problem.elements)
-    # Of another hull than was refused there is nothing to select.
-    hull.data.vertices[0].co.z -= 0.1
-    hull.data.update()
-    part("features.hull.hull_state").refresh(hull, bpy.context.scene)
-    assert part("features.exchange.cad_files").problem_of(hull) is None
-    with pytest.raises(RuntimeError, match="no longer there"):
-        bpy.ops.hull.select_cad_problem()

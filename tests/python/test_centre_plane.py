@@ -132,6 +132,22 @@ def test_what_is_near_the_plane_is_told_and_never_leaves_two_shells(distance, tm
         assert not list(tmp_path.iterdir())
 
 
+@pytest.mark.parametrize("write", [hn.write_step, hn.write_iges], ids=["STEP", "IGES"])
+def test_the_refusal_tells_the_points(write, tmp_path):
+    _, mesh = mesh_of("coaster")
+    only = 5
+    noisy = with_noise(mesh, 1e-4 / mesh.size, only)
+    for extent in EXTENTS:
+        with pytest.raises(hn.PlaceError, match="use Put on Centre Plane, or set y to") as refused:
+            report(noisy, tmp_path, extent, write)
+        error = refused.value
+        assert error.kind == "vertex" and error.elements == (centre_line(mesh)[only],)
+        assert np.array_equal(error.point, noisy.points[error.elements[0]])
+    points = noisy.points.copy()
+    points[noisy.near_centre_line, 1] = 0.0
+    assert report(noisy.with_points(points), tmp_path, "both", write)["shells"] == 1
+
+
 def test_the_half_alone_is_written_whatever_its_centre_line(tmp_path):
     _, mesh = mesh_of("coaster")
     noisy = with_noise(mesh, 1e-5)

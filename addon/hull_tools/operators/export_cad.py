@@ -40,6 +40,11 @@ class ExportCad(PatchOperator, ExportHull):
     def begin(self, hull, scene):
         return cad_files.Export(hull, scene, self.filepath, self.file_format)
 
+    def outcome(self, written, scene):
+        text, warns = super().outcome(written, scene)
+        warnings = [f"Warning: {one}" for one in written.report["warnings"]]
+        return ". ".join([text, *warnings]), warns or bool(warnings)
+
     def converted(self, written):
         without = " without appendages, which are in closed solids only"
         said = without if written.without_appendages else ""
@@ -69,7 +74,7 @@ class HULL_OT_export_iges(bpy.types.Operator, ExportCad):
 
 
 class HULL_OT_select_cad_problem(bpy.types.Operator, HullOperator):
-    """Select the face of the control mesh because of which no file was written"""
+    """Select the face or the points of the control mesh because of which no file was written"""
 
     bl_idname = "hull.select_cad_problem"
     bl_label = "Select"

@@ -7,6 +7,7 @@ from ..bridge.objects import appendages, hull_objects
 from ..features.conversion import conversions
 from ..features.exchange import cad_files
 from .conversion import draw_choice, draw_report, draw_spots, draw_task
+from .doubts import draw_mending
 from .shared import HullPanel, label_wrapped, text_field
 
 
@@ -30,6 +31,7 @@ class HULL_PT_export(HullPanel, bpy.types.Panel):
             box = self.layout.box()
             label_wrapped(box, context, problem.message, icon="ERROR")
             box.operator("hull.select_cad_problem")
+            draw_mending(box, problem)
 
 
 class HULL_PT_patches(HullPanel, bpy.types.Panel):

@@ -30,9 +30,10 @@ inline constexpr double kLargestGap = 1e-13;
 struct PatchSource {
   // The control points of the surface that the blocks are of; null where there is none.
   std::shared_ptr<const std::vector<Vector3d>> points;
-  // Those of them that keep its centre line from the centre plane although they were probably
-  // meant to be on it (centre_line.h): the mirror image would not join there.
-  std::vector<Vector3d> near_centre_line;
+  // Which of them keep its centre line from the centre plane although they were probably meant to
+  // be on it, and which make gaps of it (mesh/centre_plane.h): the mirror image does not join
+  // there.
+  std::vector<int> near_centre_line, gaps;
 };
 
 // Patches that join into a surface, and how: edges with the same number are one curve, vertices

@@ -52,6 +52,36 @@ TEST(CentrePlane, NoneIsLeftWhenAllThatAreToldHaveBeenPutThere) {
   EXPECT_TRUE(vertices_near_centre_line(ControlMesh(arrays)).empty());
 }
 
+// Where most of the line is on the plane; ends of it that leave the plane are none.
+TEST(CentrePlane, GapsOfTheCentreLineAreTold) {
+  for (const double distance : {1.1 * kNearCentrePlane, 0.9 * kAtCentreLine}) {
+    MeshArrays arrays = sheet();
+    const double off = distance * size_of(arrays);
+    EXPECT_TRUE(gaps_in_centre_line(ControlMesh(arrays)).empty());
+    arrays.points[3].y() = arrays.points[4].y() = off;
+    arrays.points[6].y() = -off;
+    EXPECT_EQ(gaps_in_centre_line(ControlMesh(arrays)), (std::vector<int>{3, 4, 6}));
+    arrays.points[0].y() = arrays.points[8].y() = off;
+    EXPECT_EQ(gaps_in_centre_line(ControlMesh(arrays)), (std::vector<int>{3, 4, 6}));
+    for (int v : {2, 5}) arrays.points[v].y() = off;  // more than half: as of a bar keel
+    EXPECT_TRUE(gaps_in_centre_line(ControlMesh(arrays)).empty());
+  }
+  MeshArrays arrays = sheet();
+  arrays.points[4].y() = 1.1 * kAtCentreLine * size_of(arrays);
+  EXPECT_TRUE(gaps_in_centre_line(ControlMesh(arrays)).empty());
+}
+
+// A sheet that is all near the plane: wherever its border begins, the gap is one.
+TEST(CentrePlane, GapsOfABorderThatIsInThePlaneAllAround) {
+  MeshArrays arrays = sheet();
+  for (auto& point : arrays.points) point = {point.x(), 0.0, point.y()};
+  for (int v : {0, 4, 8}) {
+    MeshArrays open = arrays;
+    open.points[v].y() = 0.5 * kAtCentreLine * size_of(arrays);
+    EXPECT_EQ(gaps_in_centre_line(ControlMesh(open)), (std::vector<int>{v}));
+  }
+}
+
 TEST(CentrePlane, WhatIsFurtherOffIsMeant) {
   MeshArrays arrays = sheet();
   arrays.points[3].y() = 1.1 * kNearCentrePlane * size_of(arrays);

@@ -52,7 +52,7 @@ class Export(jobs.JobTask):
         self._conversion = None if known else conversions.begin(obj, scene)
         self.state = hull_state.state_of(obj)
         source = self.state.ship.source
-        self._geometry, self._face_ids = self.state.ship.geometry_key, source.control.face_ids
+        self._geometry, self._control = self.state.ship.geometry_key, source.control
         wanted = cad_curves.wanted(obj, scene, self.state.ship.surface)
         options = options_of(obj, file_format)
         without = leaves_appendages_out(obj) and bool(source.appendages)
@@ -111,8 +111,11 @@ class Export(jobs.JobTask):
         """What a hull_native.PlaceError says of a place, None of another error."""
         if not getattr(error, "elements", ()):
             return None
-        faces = self._face_ids[list(error.elements)].tolist()
-        found = mesh_check.Problem("error", error.kind, tuple(faces), str(error))
+        ids = self._control.face_ids if error.kind == "face" else self._control.vertex_ids
+        elements = tuple(ids[list(error.elements)].tolist())
+        # The points that are named are those beside the centre plane.
+        remedy = "CENTRE" if error.kind == "vertex" else ""
+        found = mesh_check.Problem("error", error.kind, elements, str(error), remedy)
         return self._geometry, found
 
 
