@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What keeps STEP and IGES files from being written is named, selected and has a button."""
+"""What keeps STEP and IGES files from being written is named, selected and has a button; what was
+probably not meant is a warning."""
 
 import bpy
 import pytest
@@ -78,3 +79,14 @@ def test_points_beside_the_centre_plane_are_selected_and_put_there(tmp_path, fil
     export(file_format, tmp_path / name)
     read = part("bridge.native").require().read_cad_report(tmp_path / name)
     assert read["valid"] and read["shells"] == 1
+
+
+@pytest.mark.parametrize("file_format, name", FILES)
+def test_a_gap_in_the_centre_line_is_a_warning(tmp_path, file_format, name, capfd):
+    with_a_point_beside_the_centre_plane(1.5e-4)
+    export(file_format, tmp_path / name)
+    told = capfd.readouterr().out
+    assert "Warning: a control point" in told and "the two sides are not joined there" in told
+    bpy.context.object.hull.export.extent = "HALF"
+    export(file_format, tmp_path / name)
+    assert "not joined" not in capfd.readouterr().out

@@ -2,6 +2,8 @@
 """Half hulls whose centre line is in the centre plane but for noise, as in files of other programs:
 one rule for what is on it, whatever is made of the hull."""
 
+import re
+
 import hull_io
 import hull_native as hn
 import numpy as np
@@ -146,6 +148,22 @@ def test_the_refusal_tells_the_points(write, tmp_path):
     points = noisy.points.copy()
     points[noisy.near_centre_line, 1] = 0.0
     assert report(noisy.with_points(points), tmp_path, "both", write)["shells"] == 1
+
+
+@pytest.mark.parametrize("write", [hn.write_step, hn.write_iges], ids=["STEP", "IGES"])
+def test_a_gap_in_the_centre_line_is_told(write, tmp_path):
+    """Further off than what is refused: it may be meant, but probably is not."""
+    _, mesh = mesh_of("coaster")
+    for extent in EXTENTS:
+        assert report(mesh, tmp_path, extent, write)["warnings"] == []
+    apart = with_noise(mesh, 1.1 * NEAR, 5)
+    assert not len(apart.near_centre_line)
+    [warning] = report(apart, tmp_path, "both", write)["warnings"]
+    assert re.match(r"a control point .* off the centre plane, by up to .* not joined", warning)
+    x, _, z = apart.points[centre_line(mesh)[5]]
+    assert f"({x:.6g}, " in warning and f", {z:.6g}) m" in warning
+    # The half alone has no side to join.
+    assert write(hn.exact_patches(hn.LimitSurface(apart)), tmp_path / "half")["warnings"] == []
 
 
 def test_the_half_alone_is_written_whatever_its_centre_line(tmp_path):
