@@ -166,6 +166,27 @@ def test_a_gap_in_the_centre_line_is_told(write, tmp_path):
     assert write(hn.exact_patches(hn.LimitSurface(apart)), tmp_path / "half")["warnings"] == []
 
 
+@pytest.mark.parametrize("levels", [1, 2])
+def test_many_patches_of_a_fine_mesh_join(levels, tmp_path):
+    """Of 555 and 2,143 points, its centre line noisy: of so many patches the borders in the centre
+    plane join in both sides and in solids."""
+    data, mesh = mesh_of("naval_vessel")
+    for _ in range(levels):
+        mesh = hn.LimitSurface(mesh, data.scheme).refined_mesh()
+    surface = hn.LimitSurface(with_noise(mesh, NOISES[-1]), data.scheme)
+    few, many = (hn.exact_patches(surface, most_control_points=most) for most in (0, 64))
+    assert many.patch_count > 2 * few.patch_count
+    for extent in ("both", "solid"):
+        wanted = hn.write_step(few, tmp_path / "few.step", **EXTENTS[extent])
+        for write in (hn.write_step, hn.write_iges):
+            found = write(many, tmp_path / "many.file", **EXTENTS[extent])  # read back from there
+            assert found["valid"] and found["faces"] >= 2 * many.patch_count
+            for key in ("shells", "solids"):
+                assert found[key] == wanted[key], key
+            for key in ("area", "volume", "free_edge_length"):
+                assert found[key] == pytest.approx(wanted[key], rel=1e-8), key
+
+
 def test_the_half_alone_is_written_whatever_its_centre_line(tmp_path):
     _, mesh = mesh_of("coaster")
     noisy = with_noise(mesh, 1e-5)
