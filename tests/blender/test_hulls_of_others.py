@@ -7,6 +7,7 @@ HULL_ALL_COPIES=1 tries all copies, not a few of each hull, and writes the large
 """
 
 import os
+import re
 
 import bpy
 import pytest
@@ -66,6 +67,13 @@ def press_buttons(hull):
     return state_now(hull)
 
 
+def merge_by_distance():
+    bpy.ops.object.mode_set(mode="EDIT")
+    bpy.ops.mesh.select_all(action="SELECT")
+    bpy.ops.mesh.remove_doubles()
+    bpy.ops.object.mode_set(mode="OBJECT")
+
+
 def volume(state):
     found = state.hydrostatics.values
     assert found is not None, state.hydrostatics.status
@@ -84,8 +92,9 @@ def test_a_copy_is_mended_by_its_buttons(name, kind, tmp_path):
     state = press_buttons(hull)
     assert not state.status
     if (name, kind) in hulls_of_others.REFUSED:
-        assert hulls_of_others.REFUSED[name, kind] in state.hydrostatics.status
-        return
+        assert re.search(hulls_of_others.REFUSED[name, kind], state.hydrostatics.status)
+        merge_by_distance()  # as it was told
+        state = state_now(hull)
     if (name, kind) == hulls_of_others.OPEN_KEEL:
         assert "not closed below the water" in state.hydrostatics.status
     else:

@@ -12,6 +12,7 @@
 
 #include "analysis/appendages/appendage.h"
 #include "analysis/appendages/hull_members.h"
+#include "analysis/immersion/inverted_body.h"
 #include "analysis/immersion/wedge_moments.h"
 #include "analysis/sections/port_side.h"
 #include "analysis/stations/profile_plane.h"
@@ -139,9 +140,7 @@ std::string HullBody::inversion() const {
   }
   for (std::size_t b = 0; b < sums.size(); ++b) {
     if (sums[b].volume >= -kNoVolume * surface().mesh().size() * sums[b].area) continue;
-    const int face = surface().mesh().topology().face(bodies_.first_cell[b]);
-    return "The displaced volume is negative: the faces of the body with face " +
-           std::to_string(face) + " are turned inwards. Turn them outwards, into the water.";
+    return inverted_body_text(surface(), bodies_, static_cast<int>(b));
   }
   return {};
 }
