@@ -14,13 +14,14 @@ def settings_of_afloat_box(**settings):
     hull = add_hull()
     hull.hull.draft = 1.0
     for name, value in settings.items():
+        assert name in hull.hull.bl_rna.properties  # Python would keep any other, too
         setattr(hull.hull, name, value)
     bpy.context.view_layer.update()
     return hull
 
 
 def test_trim_is_the_difference_of_drafts_at_the_perpendiculars():
-    found = state_of(settings_of_afloat_box(trim=0.5)).hydrostatics.values
+    found = state_of(settings_of_afloat_box(trim_m=0.5)).hydrostatics.values
     assert (found.draft_aft, found.draft_forward) == (1.25, 0.75)
     assert found.displaced_volume == pytest.approx(LENGTH * BEAM * 1.0, rel=1e-12)
     # The centre of a trapezium with the sides 1.25 and 0.75.
@@ -29,7 +30,7 @@ def test_trim_is_the_difference_of_drafts_at_the_perpendiculars():
 
 def test_trim_of_a_heeled_hull_is_measured_on_her_own_vertical():
     afloat = part("features.flotation.afloat")
-    hull = settings_of_afloat_box(trim=0.5, heel=radians(30.0))
+    hull = settings_of_afloat_box(trim_m=0.5, heel=radians(30.0))
     where = afloat.afloat(hull.hull, 1.0)
     assert where.heel == radians(30.0)
     assert LENGTH * tan(where.trim) / cos(where.heel) == pytest.approx(0.5, rel=1e-14)
@@ -45,7 +46,7 @@ def test_heel_to_starboard_brings_the_buoyancy_there():
 
 
 def test_values_are_those_of_the_native_function():
-    hull = settings_of_afloat_box(trim=0.25, heel=radians(5.0), water_density=1.0)
+    hull = settings_of_afloat_box(trim_m=0.25, heel=radians(5.0), water_density=1.0)
     hydrostatics = part("features.flotation.hydrostatics")
     where = part("features.flotation.afloat").afloat(hull.hull, 1.0)
     wanted = (
@@ -77,7 +78,7 @@ def test_what_needs_a_length_is_undefined_without_one():
     for name in ("lcb_percent", "lcf_percent", "mtc", "midship_area", "project_block"):
         assert getattr(found, name) is None
     assert found.immersed_block == pytest.approx(1.0, rel=1e-12)
-    hull = settings_of_afloat_box(length_pp=0.0, trim=0.5)
+    hull = settings_of_afloat_box(length_pp=0.0, trim_m=0.5)
     assert state_of(hull).hydrostatics.values is None
     assert "Give Lpp first" in state_of(hull).hydrostatics.status
 
