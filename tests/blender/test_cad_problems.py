@@ -5,6 +5,7 @@ probably not meant is a warning."""
 import bpy
 import pytest
 from addon_under_test import add_hull, part, state_of
+from test_panels import texts
 
 FILES = [("STEP", "ship.step"), ("IGES", "ship.igs")]
 
@@ -69,9 +70,8 @@ def test_points_beside_the_centre_plane_are_selected_and_put_there(tmp_path, fil
     assert not list(tmp_path.iterdir())
     # The button is below the message, in the panel "Export".
     assert bpy.ops.hull.put_on_centre_plane.get_rna_type().name == "Put on Centre Plane"
-    buttons = part("panels.doubts")._MENDING
-    problem = part("features.exchange.cad_files").problem_of(hull)
-    assert buttons[problem.remedy] == ("hull.put_on_centre_plane",)
+    buttons = ["operator hull.select_cad_problem", "operator hull.put_on_centre_plane"]
+    assert texts()["HULL_PT_export"][-2:] == buttons
     assert bpy.ops.hull.select_cad_problem() == {"FINISHED"}
     bpy.ops.object.mode_set(mode="OBJECT")
     assert [vertex.index for vertex in hull.data.vertices if vertex.select] == [index]
