@@ -66,7 +66,8 @@ def bytes_of_stl(points, triangles):
     normals = np.cross(b - a, c - a)
     lengths = np.linalg.norm(normals, axis=1)
     records["normal"] = normals / np.where(lengths > 0.0, lengths, 1.0)[:, None]
-    header = b"Hull Tools".ljust(_HEADER - 4) + len(triangles).to_bytes(4, "little")
+    # admesh prints it up to a zero, wherever that is.
+    header = b"Hull Tools".ljust(_HEADER - 4, b"\0") + len(triangles).to_bytes(4, "little")
     return header + records.tobytes()
 
 

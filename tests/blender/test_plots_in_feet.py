@@ -64,8 +64,8 @@ def test_plots_over_the_view_follow_the_scene(coaster):
     def shown():
         live = part("features.analyses.live_analyses")
         live.show_plots(coaster, bpy.context.scene)
-        part("overlays.plots").follow()
-        (arrays,) = part("overlays.plots").shown_arrays()
+        (one,) = live.plots().shown
+        arrays = part("overlays.plot_arrays").arrays_of(one.card)
         return " ".join(label["text"] for label in arrays.labels)
 
     assert "[m²]" in shown()

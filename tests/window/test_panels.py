@@ -76,7 +76,7 @@ def test_every_panel_is_drawn_to_its_end(window):
     assert not is_computed(hull, "cross_curves"), "nothing shows them"
     hull.hull.plots.cross_curves = True
     yield lambda: is_computed(hull, "cross_curves")
-    yield lambda: len(part("overlays.plots").shown_arrays()) == 1
+    yield lambda: len(part("features.analyses.live_analyses").plots().shown) == 1
     with window.in_view():
         make_morph(hull)
     yield
