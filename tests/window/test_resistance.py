@@ -11,7 +11,7 @@ from sidebar import show_all_panels, show_panels, to, type_in
 def shown(name):
     """The plot of an analysis over the view, once it is of the hull as it is; else None."""
     plots = part("features.analyses.live_analyses").plots().shown
-    return next((one.plot for one in plots if one.name == name and one.is_current), None)
+    return next((one.card.plot for one in plots if one.name == name and one.is_current), None)
 
 
 def rows(hull):
