@@ -115,6 +115,19 @@ def test_surfaces_in_one_another_are_told_of(box):
     assert volume(box) > 100.01 and not_joined(box) == ""
 
 
+def test_what_could_not_be_joined_is_where_points_have_moved(box):
+    """A keel whose root is in the plane of the bottom, which is lowered and raised."""
+    add(box, "FIN_KEEL").location.z = 0.0
+    for lowered in (0.0, 0.5, 0.0, 0.25):
+        alone = 100.0 * (1.0 + lowered / 2.5)
+        for vertex in box.data.vertices:
+            vertex.co.z = -lowered if vertex.co.z < 0.1 else vertex.co.z
+        box.data.update()
+        box.update_tag()
+        assert (volume(box) > alone + 0.01) == (lowered > 0.0)
+        assert bool(not_joined(box)) == (lowered == 0.0)
+
+
 def test_a_body_that_is_scaled_unevenly_is_told_of(box):
     tunnel = add(box, "TUNNEL", x=7.0, z=1.2, radius=RADIUS)
     tunnel.scale = (1.0, 1.5, 1.0)

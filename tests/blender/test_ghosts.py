@@ -170,7 +170,7 @@ def test_its_areas_are_in_the_plot():
     assert curves_beside(hull)[0].y.max() == pytest.approx(4.0 * 2.0, rel=1e-9)
     live = part("features.analyses.live_analyses")
     live.show_plots(hull, bpy.context.scene)
-    plot = live.plots().shown[0].plot
+    plot = live.plots().shown[0].card.plot
     live.show_plots(hull, bpy.context.scene)
     assert live.plots().shown[0].plot is plot  # not made again
     hull.hull.variants.show_ghost = False

@@ -132,8 +132,8 @@ class LiveShip:
             before, self.geometry_key, self.body = self.geometry_key, None, None
             surface.set_points(source.control.points)
             self.moved = self.moved.further(before, geometry_key)
-        was_once = self.source is not None and self.source.once
-        if body is None or body.openings != source.openings or has_others or was_once:
+        has_others = has_others or self._was_joined_otherwise(source)
+        if body is None or body.openings != source.openings or has_others:
             body = source.live_body(surface)
             self.memory.clear()
             if source.appendages:
@@ -144,6 +144,14 @@ class LiveShip:
         source, body = self._counted_once(source, body)
         self.surface, self.body, self.source = surface, body, source
         self.topology_key, self.geometry_key = topology_key, geometry_key
+
+    def _was_joined_otherwise(self, source):
+        """Whether own bodies are counted once, or appendages are not, which may be joined by
+        now."""
+        before = self.source
+        return before is not None and (
+            before.once or bool(source.appendages) != bool(before.appendages)
+        )
 
     def _is_of_others(self, source):
         """Whether a source has other faces than the surface, though the mesh's are the same: which
