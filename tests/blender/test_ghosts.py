@@ -172,12 +172,12 @@ def test_its_areas_are_in_the_plot():
     live.show_plots(hull, bpy.context.scene)
     plot = live.plots().shown[0].card.plot
     live.show_plots(hull, bpy.context.scene)
-    assert live.plots().shown[0].plot is plot  # not made again
+    assert live.plots().shown[0].card.plot is plot  # not made again
     hull.hull.variants.show_ghost = False
     ghost_of(hull)
     assert curves_beside(hull) == ()
     live.show_plots(hull, bpy.context.scene)
-    assert live.plots().shown[0].plot is not plot
+    assert live.plots().shown[0].card.plot is not plot
     live.show_plots(None, bpy.context.scene)
 
 

@@ -93,7 +93,7 @@ class HULL_PT_differences(HullPanel, bpy.types.Panel):
     def draw(self, context):
         layout = self.layout
         variants = hull_objects.hull_of(context.object).hull.variants
-        result, place = latest_result(layout, context, "differences", "This hull less the other")
+        result, place = latest_result(layout, context, "differences", "Hull less other")
         if result is not None:
             found = result.by[variants.afloat]
             if found.message:
