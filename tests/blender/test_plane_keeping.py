@@ -256,7 +256,7 @@ def test_tools_heed_them(hull):
     state = state_of(hull)
     ids = state.ship.source.control.vertex_ids
     limits = part("features.constraints.move_limits").of_hull(
-        hull, ids, state.ship.surface.mesh.points, 10.0
+        hull, ids, state.ship.surface.mesh.points
     )
     found = set(zip(ids[limits.held_points].tolist(), map(tuple, limits.held_normals.tolist())))
     assert found == {

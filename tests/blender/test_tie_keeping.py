@@ -326,7 +326,7 @@ def test_tools_heed_them():
     before = {point: numbers for _, point, _, numbers in ties().stored_ties(hull.data)}
     state = part("features.hull.hull_state").up_to_date(hull, bpy.context.scene)
     ids, control = state.ship.source.control.vertex_ids, state.ship.source.control.points
-    limits = part("features.constraints.move_limits").of_hull(hull, ids, control, 80.0)
+    limits = part("features.constraints.move_limits").of_hull(hull, ids, control)
     assert len(limits.tied) == 3 * 12
     bpy.ops.hull.add_target()
     row = hull.hull.targets.rows[-1]
