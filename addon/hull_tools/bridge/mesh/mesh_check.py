@@ -72,28 +72,37 @@ def check_control_mesh(data, control, half):
 def is_too_fine(control, half):
     """Whether a change of the mesh would keep the window waiting: each corner of a face is a cell
     of the surface, and of a cell there is a face to be shown at least."""
-    shown, irregular = _least_shown(control, half)
-    return shown + limits.FACES_FOR_IRREGULAR_CELL * irregular > limits.MOST_SHOWN_FACES
+    # So few that all may be irregular: what nearly all hulls have, at each step of the mouse.
+    if _work(control, half, len(control.face_vertices)) <= limits.MOST_SHOWN_FACES:
+        return False
+    return _work(control, half, _irregular_cells(control)) > limits.MOST_SHOWN_FACES
+
+
+def _work(control, half, irregular):
+    """What the surface of a mesh takes, counted in faces that are shown."""
+    return _least_shown(control, half) + limits.FACES_FOR_IRREGULAR_CELL * irregular
 
 
 def _least_shown(control, half):
-    """(faces that the surface has at least, how many of its cells are beside an irregular point:
-    in a face without four corners, or at a point without four faces, or two)."""
+    return len(control.face_vertices) * (1 + half)
+
+
+def _irregular_cells(control):
+    """How many cells are in a face without four corners, or at a point without four faces, or
+    two."""
     sizes = np.repeat(control.face_sizes, control.face_sizes)
     faces = np.bincount(control.face_vertices)[control.face_vertices]
-    irregular = (sizes != 4) | ~np.isin(faces, (2, 4))
-    return len(control.face_vertices) * (1 + half), int(np.count_nonzero(irregular))
+    return int(np.count_nonzero((sizes != 4) | ~np.isin(faces, (2, 4))))
 
 
 def _size_errors(control, half):
     if not is_too_fine(control, half):
         return []
-    shown, irregular = _least_shown(control, half)
     message = (
-        f"The mesh is too fine: its surface would have {shown} faces, {irregular} cells of it "
-        f"beside irregular points, which count for {limits.FACES_FOR_IRREGULAR_CELL} more each; "
-        f"{limits.MOST_SHOWN_FACES} can follow its points. Use a coarser one, of faces with four "
-        "corners"
+        f"The mesh is too fine: its surface would have {_least_shown(control, half)} faces, "
+        f"{_irregular_cells(control)} cells of it beside irregular points, which count for "
+        f"{limits.FACES_FOR_IRREGULAR_CELL} more each; {limits.MOST_SHOWN_FACES} can follow its "
+        "points. Use a coarser one, of faces with four corners"
     )
     return [Problem("error", "mesh", (), message)]
 

@@ -98,8 +98,7 @@ class LiveShip:
             control = found.control(scale)
         self.check, mesh = mesh_check.check_control_mesh(found.data, control, found.half)
         is_whole = mesh is not None
-        can_be_parted = not mesh_check.is_too_fine(control, found.half)
-        if not is_whole and can_be_parted and (self.surface is None or self.is_part):
+        if not is_whole and self._can_be_parted(control, found.half):
             control, mesh = valid_part.valid_part(control)
         if mesh is None:
             return
@@ -109,6 +108,12 @@ class LiveShip:
         self._make_body(mesh, source, found.topology_key, geometry_key, has_others)
         self.appendages_key = bodies
         self._control_key = control_key if is_whole else None
+
+    def _can_be_parted(self, control, half):
+        """Whether a part of a mesh with errors is looked for: where there is no last good surface
+        of the whole."""
+        is_wanted = self.surface is None or self.is_part
+        return is_wanted and not mesh_check.is_too_fine(control, half)
 
     def _bodies(self, bodies, scale, points):
         """hull_native.Appendage of AppendageBody, none where one of them is no body."""
