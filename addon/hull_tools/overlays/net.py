@@ -12,6 +12,7 @@ import gpu
 import numpy as np
 
 from ..bridge.blender import blender_versions, preferences
+from ..bridge.mesh import face_sides
 from ..features.hull import tags
 from . import buffers, line_arrays
 from .lines import batch_of_strokes
@@ -25,11 +26,8 @@ _untagged = weakref.WeakKeyDictionary()  # by features.hull.tags.Tags: edges (k,
 
 def edges_of(mesh):
     """(k, 2) all edges of a hull_native.ControlMesh."""
-    sizes, corners = mesh.face_sizes, mesh.face_vertices
-    following = np.roll(corners, -1)
-    ends = np.cumsum(sizes)
-    following[ends - 1] = corners[ends - sizes]
-    return np.unique(np.sort(np.stack([corners, following], axis=1), axis=1), axis=0)
+    sides = face_sides.ends_of_sides(mesh.face_sizes, mesh.face_vertices)
+    return np.unique(np.sort(sides, axis=1), axis=0)
 
 
 def edited_edges(bm, in_vertices, state):

@@ -15,6 +15,7 @@ import numpy as np
 
 from ..blender import blender_versions
 from . import deck_edge_marks, point_ties
+from .face_sides import ends_of_sides
 
 
 @dataclass(frozen=True)
@@ -214,10 +215,7 @@ def edge_keys(pairs):
 
 def _face_edge_keys(face_sizes, face_vertices):
     """Keys of the edges of all faces, one for each corner: from it to the next of its face."""
-    following = np.roll(face_vertices, -1)
-    ends = np.cumsum(face_sizes)
-    following[ends - 1] = face_vertices[ends - face_sizes]
-    return edge_keys(np.stack([face_vertices, following], axis=1))
+    return edge_keys(ends_of_sides(face_sizes, face_vertices))
 
 
 def write_faces(mesh, points, face_sizes, face_vertices):

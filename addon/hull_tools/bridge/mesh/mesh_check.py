@@ -10,6 +10,7 @@ from .. import limits, native
 from ..counts import counted, counted_are
 from . import mesh_arrays
 from . import slits as slits_of_mesh
+from .face_sides import next_corners
 
 # What the native check says of what Split mends.
 _TO_SPLIT = ("more than two faces", "share no edge there")
@@ -225,11 +226,8 @@ def outward_flux(control):
     An open deck and the open centre plane of a half hull add nothing to it, so that its sign tells
     which way the faces are turned even though the mesh is open.
     """
-    ends = np.cumsum(control.face_sizes)
-    starts = ends - control.face_sizes
-    following = np.arange(1, len(control.face_vertices) + 1)
-    following[ends - 1] = starts
+    starts = np.cumsum(control.face_sizes) - control.face_sizes
     corners = control.points[control.face_vertices]
-    area_y = 0.5 * np.cross(corners, corners[following])[:, 1]
+    area_y = 0.5 * np.cross(corners, corners[next_corners(control.face_sizes)])[:, 1]
     mean_y = np.add.reduceat(corners[:, 1], starts) / control.face_sizes
     return float(np.sum(mean_y * np.add.reduceat(area_y, starts)))

@@ -5,6 +5,8 @@ own at the same places, so that they look joined and are not."""
 import numpy as np
 from mathutils import kdtree
 
+from .face_sides import ends_of_sides
+
 
 def pairs(points, face_sizes, face_vertices, on_plane, reach):
     """(k, 2) points (k pairs) that are to become one for the two sides to be joined.
@@ -13,7 +15,7 @@ def pairs(points, face_sizes, face_vertices, on_plane, reach):
     apart at most. Only where two borders, and no third edge, run between the same two places, in
     the opposite sense: anything else would make no surface when joined.
     """
-    ends = np.stack([face_vertices, _following(face_sizes, face_vertices)], axis=1)
+    ends = ends_of_sides(face_sizes, face_vertices)
     ends = ends[on_plane[ends].all(axis=1)]
     directed, uses = np.unique(np.sort(ends, axis=1), axis=0, return_counts=True)
     if np.count_nonzero(uses == 1) < 2:
@@ -33,14 +35,6 @@ def pairs(points, face_sizes, face_vertices, on_plane, reach):
         if place[one[0]] == place[other[1]]:
             found |= {tuple(sorted(pair)) for pair in zip(one, other[::-1]) if pair[0] != pair[1]}
     return _apart(np.array(sorted(found), dtype=np.int64).reshape(-1, 2), face_sizes, face_vertices)
-
-
-def _following(face_sizes, face_vertices):
-    """(m,) the corner after each corner of a face."""
-    stops = np.cumsum(face_sizes)
-    following = np.arange(1, len(face_vertices) + 1)
-    following[stops - 1] = stops - face_sizes
-    return face_vertices[following]
 
 
 def _places(points, indices, reach):

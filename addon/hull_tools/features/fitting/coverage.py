@@ -7,6 +7,7 @@ import numpy as np
 from mathutils import kdtree
 
 from ...bridge import native
+from ...bridge.mesh.face_sides import ends_of_sides, next_corners
 from ...bridge.mesh.mesh_arrays import edge_keys
 
 # A target counts where its normal is within 60° of the surface's, as in the fit.
@@ -41,7 +42,7 @@ def uncovered(control, surface, targets, normals, reach):
         own = surface.normals(near.cells[found], near.uv[found])
         found[found] = (own * normals[found]).sum(axis=1) >= _AGREEMENT
     owner = np.repeat(np.arange(len(control.face_sizes)), control.face_sizes)
-    ends = _edges(control)
+    ends = ends_of_sides(control.face_sizes, control.face_vertices)
     parts = _parts_between_creases(control, owner, ends)
     part_of_target = np.where(found, parts[owner[near.cells]], -1)
     is_covered = np.zeros(len(parts), dtype=bool)
@@ -104,7 +105,7 @@ class _Border:
         _, inverse, counts = np.unique(keys, return_inverse=True, return_counts=True)
         is_border = np.isin(keys, edge_keys(control.creases)) | (counts[inverse] == 1)
         corners = np.flatnonzero(is_border)
-        following = _following(control)[corners]
+        following = next_corners(control.face_sizes)[corners]
         fewest, most = _ON_HALF_EDGE
         count = int(np.clip(_MOST_BORDER_PLACES // max(2 * len(corners), 1), fewest, most))
         t = np.linspace(0.0, 1.0, count + 1)
@@ -126,19 +127,6 @@ class _Border:
         found = [self._tree.find(place) for place in places.tolist()]
         gaps = self._gaps[[index for _, index, _ in found]]
         return np.array([away for _, _, away in found]) > distances + gaps
-
-
-def _following(control):
-    """(c,) of each corner of a face the next one."""
-    last = np.cumsum(control.face_sizes)
-    following = np.arange(1, len(control.face_vertices) + 1)
-    following[last - 1] = last - control.face_sizes
-    return following
-
-
-def _edges(control):
-    """(c, 2) of each corner of a face its point and the next one's."""
-    return np.stack([control.face_vertices, control.face_vertices[_following(control)]], axis=1)
 
 
 def _parts_between_creases(control, owner, ends):

@@ -5,6 +5,7 @@ is from it then."""
 import numpy as np
 
 from ...bridge import native
+from ...bridge.mesh.face_sides import ends_of_sides
 from ..constraints import move_limits
 
 # Points so many edges away from the row are placed anew.
@@ -67,10 +68,7 @@ def select(bm, vertices):
 
 def _around(control, rows):
     """(n,) which control points are within _RINGS edges of the rows."""
-    following = np.roll(control.face_vertices, -1)
-    ends = np.cumsum(control.face_sizes)
-    following[ends - 1] = control.face_vertices[ends - control.face_sizes]
-    edges = np.stack([control.face_vertices, following], axis=1)
+    edges = ends_of_sides(control.face_sizes, control.face_vertices)
     near = np.zeros(len(control.points), dtype=bool)
     near[rows] = True
     for _ in range(_RINGS):

@@ -9,6 +9,7 @@ import numpy as np
 
 from ...bridge import native
 from ...bridge.mesh import mesh_arrays
+from ...bridge.mesh.face_sides import ends_of_sides
 from . import family_flats
 
 
@@ -78,10 +79,7 @@ def _subdivided_once(layout, fine):
 
 def _keys_from_corners(sizes, corners):
     """Of each corner of a face the key of the edge to the next one."""
-    following = np.roll(corners, -1)
-    ends = np.cumsum(sizes)
-    following[ends - 1] = corners[ends - sizes]
-    return mesh_arrays.edge_keys(np.stack([corners, following], axis=1))
+    return mesh_arrays.edge_keys(ends_of_sides(sizes, corners))
 
 
 def new_mesh(name, layout, points, materials):
