@@ -97,7 +97,7 @@ std::vector<int> gaps_in_centre_line(const ControlMesh& mesh) {
     // From a point that is in no chain on, or else on the plane, so that none is cut in two.
     auto first = std::ranges::find_if(loop, is_far);
     if (first == loop.end()) first = std::ranges::find_if(loop, [&](int v) { return is_on[v]; });
-    if (first != loop.end()) std::ranges::rotate(loop, first);
+    if (first != loop.end()) std::rotate(loop.begin(), first, loop.end());
     std::vector<int> chain;
     for (int v : loop) {
       if (!is_far(v)) {
