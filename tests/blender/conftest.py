@@ -4,12 +4,7 @@
 import bpy
 import pytest
 from addon_under_test import SHARED
-
-
-def pytest_configure(config):
-    config.addinivalue_line(
-        "markers", "once: long, and in one Blender enough: what it tries is the module's computing"
-    )
+from one_in import pytest_collection_modifyitems  # noqa: F401: a hook
 
 
 @pytest.fixture(autouse=True)

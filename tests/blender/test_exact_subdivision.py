@@ -8,6 +8,8 @@ import pytest
 from addon_under_test import HALF_BREADTH, ROOT, add_hull, mesh_points, part, sample, state_of
 from edited_hulls import at, edit, faces_in, grid_hull, keys, select, selected
 
+pytestmark = [pytest.mark.once, pytest.mark.one_in(3)]
+
 SAMPLES = sorted(path.name[: -len(".hull.json")] for path in (ROOT / "samples").glob("*.hull.json"))
 SIDE = (0.0, 1.0, 0.0, HALF_BREADTH)
 

@@ -7,6 +7,8 @@ import pytest
 from addon_under_test import part, state_of
 from test_fields import points_of, sample
 
+pytestmark = [pytest.mark.once, pytest.mark.one_in(2)]
+
 HULLS = ("coaster", "naval_vessel", "container_ship", "sailing_yacht", "bulk_carrier")
 
 

@@ -7,9 +7,12 @@ import re
 
 import bpy
 import pytest
-from addon_under_test import lined_hull, part, sample
+from addon_under_test import lined_hull, part
+from edited_hulls import grid_hull
 from expect_morph import boxes, morph_of
 from networks import grid_network
+
+pytestmark = pytest.mark.once
 
 # Operator: (endings, what else it is told, of the first file's name what stands between the path's
 # stem and the ending).
@@ -41,6 +44,8 @@ EXPORTS = {
 }
 READING = {"import_hull", "hull_from_file", "load_area_curve", "load_stl"}
 CASES = [(kind, ending) for kind, (endings, *_) in EXPORTS.items() for ending in endings]
+# Stretch takes seconds each time, and is written as templates are.
+short_cases = pytest.mark.parametrize("kind, ending", [c for c in CASES if c[0] != "stretch"])
 cases = pytest.mark.parametrize("kind, ending", CASES)
 
 
@@ -61,7 +66,7 @@ def prepared(request):
         conversions.stop()
         return
     # All plates of a box are developed, and have no stretch.
-    found = sample("planing_boat") if kind == "stretch" else lined_hull()
+    found = grid_hull(4, 3) if kind == "stretch" else lined_hull()
     if kind in ("plates", "templates", "stretch", "nesting", "frames", "frame_table"):
         plate_rules(found)
     if kind in ("step", "iges", "report"):
@@ -98,7 +103,7 @@ def test_all_operators_that_write_files_are_tried():
     assert READING <= found
 
 
-@cases
+@short_cases
 def test_names_that_no_file_can_have(kind, ending, prepared, tmp_path):
     for begin, said in (("n" * 300, "too long"), ("two\nlines", "line breaks")):
         assert said in refused(kind, tmp_path / (begin + ending))
@@ -115,7 +120,7 @@ def test_the_longest_name(kind, ending, prepared, tmp_path):
     assert f"{stem}{EXPORTS[kind][2]}{ending}" in {found.name for found in tmp_path.iterdir()}
 
 
-@cases
+@short_cases
 def test_a_folder_has_the_name(kind, ending, prepared, tmp_path):
     taken = tmp_path / f"taken{EXPORTS[kind][2]}{ending}"
     taken.mkdir()
@@ -123,7 +128,7 @@ def test_a_folder_has_the_name(kind, ending, prepared, tmp_path):
     assert list(tmp_path.iterdir()) == [taken] and not list(taken.iterdir())
 
 
-@cases
+@short_cases
 def test_a_folder_that_is_read_only(kind, ending, prepared, tmp_path, monkeypatch):
     """Parts of a drawing may be made among the temporary files, where all may write."""
     monkeypatch.setenv("TMPDIR", "/tmp")

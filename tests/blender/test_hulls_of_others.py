@@ -18,7 +18,7 @@ pytestmark = pytest.mark.once
 FOLDER = SHARED / "hulls" / "freeship"
 SEED = 1723
 ALL = os.environ.get("HULL_ALL_COPIES") == "1"
-FEW = 2
+FEW = 1
 MOST_FACES = 10**9 if ALL else 130
 MOST_BUTTONS = 5
 BUTTONS = {

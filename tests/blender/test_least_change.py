@@ -27,6 +27,8 @@ def breadth(hull):
     return part("bridge.native").require().half_breadth(own_surface(hull))
 
 
+@pytest.mark.once
+@pytest.mark.one_in(2)
 @pytest.mark.parametrize("name", SAMPLES)
 def test_samples(name):
     hull = sample(name)

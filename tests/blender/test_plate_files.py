@@ -39,9 +39,10 @@ def test_a_tunnel_s_opening_is_drawn(tmp_path):
 
 
 def test_the_list_has_the_hull_s_area(tmp_path):
-    hull = sample("coaster")
+    hull = sample("planing_boat")
     path = tmp_path / "plates.csv"
-    assert bpy.ops.hull.export_plates(filepath=str(path), plate_length=20.0) == {"FINISHED"}
+    sizes = {"plate_length": 5.0, "strake": 1.0}
+    assert bpy.ops.hull.export_plates(filepath=str(path), **sizes) == {"FINISHED"}
     rows = list(csv.DictReader(path.open()))
     surface = part("features.hull.hull_state").state_of(hull).ship.surface
     hull_native = part("bridge.native").require()
@@ -71,12 +72,12 @@ def test_an_ending_is_refused_before_the_work(tmp_path, monkeypatch, name):
 
 
 def test_plates_by_the_panel_s_rules(tmp_path):
-    hull = sample("coaster")
+    hull = sample("planing_boat")
     assert bpy.ops.hull.suggest_seams() == {"FINISHED"}
     rules = hull.hull.plates.rules
-    rules[0].value, rules[1].value = 3.0, 20.0
+    rules[0].value, rules[1].value = 1.0, 5.0
     bpy.ops.hull.change_plate_list(action="ADD_RULE")
-    rules[2].kind, rules[2].value = "station", 30.0
+    rules[2].kind, rules[2].value = "station", 3.0
     hull.hull.plates.thickness = 12.0
     assert bpy.ops.hull.lay_out_plates() == {"FINISHED"}
     report, is_current = part("features.production.plate_files").last_plates(hull)
@@ -84,7 +85,7 @@ def test_plates_by_the_panel_s_rules(tmp_path):
     surface = part("features.hull.hull_state").state_of(hull).ship.surface
     whole = 2.0 * part("bridge.native").require().surface_areas(surface).areas.sum()
     assert report.mass_t == pytest.approx(whole * 0.012 * 7.85, rel=1e-9)
-    assert not any(row["x_from_m"] < 29.99 and row["x_to_m"] > 30.01 for row in report.rows)
+    assert not any(row["x_from_m"] < 2.99 and row["x_to_m"] > 3.01 for row in report.rows)
     bpy.ops.hull.change_plate_list(action="REMOVE_RULE", index=2)
     assert len(rules) == 2
     # The hull changes: the list says that it is of the one before.

@@ -7,6 +7,8 @@ import pytest
 from reference_data import hull_path
 from test_step import NAMES, hull_io, surface_of
 
+pytestmark = pytest.mark.one_in(2)
+
 FORMATS = [(hn.write_step, "ship.step"), (hn.write_iges, "ship.igs")]
 
 

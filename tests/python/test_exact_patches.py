@@ -9,6 +9,8 @@ import numpy as np
 import pytest
 from reference_data import MESHES, foreign_ships, hull_path, reference_mesh
 
+pytestmark = pytest.mark.one_in(3)
+
 ROOT = Path(__file__).resolve().parents[2]
 
 SAMPLES = sorted(path.name for path in (ROOT / "samples").glob("*.hull.json"))

@@ -12,6 +12,8 @@ from field_replays import frigate as replay
 from field_replays import profile_number, refined, waterline
 from hull_fairness import kinks, lines
 
+pytestmark = pytest.mark.one_in(2)
+
 # Where marks of the frigate's fore ship are counted.
 FORE_SHIP = np.array([60.0, -1.0, -5.0]), np.array([200.0, 20.0, 20.0])
 # Where marks of the bulb are looked for: abaft nothing moves.

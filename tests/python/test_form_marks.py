@@ -18,6 +18,7 @@ from hull_fairness.lines import judged
 from transformation_hulls import SAMPLES, Sample, wigley_areas
 
 IS_LONG = bool(os.environ.get("HULL_LONG_TRANSFORMATIONS"))
+long = pytest.mark.skipif(not IS_LONG, reason="HULL_LONG_TRANSFORMATIONS is not set")
 # What may be left of new marks where some are: on a hull whose body is parallel, so that shifts
 # lead nowhere.
 LEFT = {
@@ -100,12 +101,14 @@ def test_fair_shifts_of_the_coaster_make_nothing_new(change):
     assert new_marks("coaster", shifted("coaster", "fair", change)) == []
 
 
+@long
 def test_marks_between_the_lines_that_were_judged_are_old():
     """The container ship's stern has a flat spot on stations along 3 m, which are 7 m apart."""
     new = new_marks("container_ship", shifted("container_ship", "fair", CHANGES[3]))
     assert not [one for one in new if one.line.kind == "station"]
 
 
+@long
 def test_knuckles_across_the_ship_stay_in_their_planes():
     """The barge's, at the ends of its body; then nothing is new with another Cb."""
     surface = shifted("barge", "fair", CHANGES[0])
@@ -228,7 +231,7 @@ def ways_to(name, change):
     }
 
 
-@pytest.mark.skipif(not IS_LONG, reason="HULL_LONG_TRANSFORMATIONS is not set")
+@long
 @pytest.mark.parametrize("change", CHANGES)
 @pytest.mark.parametrize("name", SAMPLES)
 def test_table(name, change):
@@ -253,7 +256,7 @@ def test_table(name, change):
     )
 
 
-@pytest.mark.skipif(not IS_LONG, reason="HULL_LONG_TRANSFORMATIONS is not set")
+@long
 @pytest.mark.parametrize("name", SAMPLES)
 def test_table_of_scaling(name):
     sample, _ = known(name)

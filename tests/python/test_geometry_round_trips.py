@@ -15,6 +15,8 @@ import numpy as np
 import pytest
 from hull_io.geometry import Geometry, GeometryMesh, guess_hull, oriented, read_geometry
 
+pytestmark = pytest.mark.one_in(2)
+
 ROOT = Path(__file__).resolve().parents[2]
 SAMPLES = sorted(path.name.split(".")[0] for path in (ROOT / "samples").glob("*.hull.json"))
 

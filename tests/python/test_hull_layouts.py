@@ -46,6 +46,12 @@ def made(ships):
 
 
 @pytest.fixture(scope="module")
+def turned_over(ships):
+    """The second in the first one's own layout."""
+    return hn.fit_layout(*(ship.surface for ship in ships))
+
+
+@pytest.fixture(scope="module")
 def own_marks(ships):
     """Of the parents together."""
     return sum(marks_of(ship.surface) for ship in ships)
@@ -67,10 +73,9 @@ def test_the_papers_pair_ends_in_its_parents(ships, made):
         assert fit.fold is None and fit.shortfall == ""
 
 
-def test_a_layout_that_is_turned_over_on_the_second_hull_is_told(ships):
+def test_a_layout_that_is_turned_over_on_the_second_hull_is_told(ships, turned_over):
     """At the neck of the bulb; no member before t = 1 is turned against both parents."""
-    first, second = (ship.surface for ship in ships)
-    fit = hn.fit_layout(first, second)
+    second, fit = ships[1].surface, turned_over
     assert max(fit.rms, fit.rms_back) <= MET * length_of(second)
     assert hn.HullFamily([fit.first, fit.second]).first_fold(fit.second.mesh.points) is None
     assert turned_share(fit.second, second) > 1e-4
@@ -96,9 +101,9 @@ def turned_share(layout, hull):
     return areas[turned].sum() / areas.sum()
 
 
-def test_the_bottom_is_flat_between_keel_and_rim_in_all_members(ships):
+def test_the_bottom_is_flat_between_keel_and_rim_in_all_members(ships, turned_over):
     """In the second hull its rim runs beside the layout's: none of it is left off the plane."""
-    fitted = hn.fit_layout(*(ship.surface for ship in ships))
+    fitted = turned_over
     family = hn.HullFamily([fitted.first, fitted.second])
     bottoms = [np.abs(ship.surface.mesh.points[:, 2]) == 0.0 for ship in ships]
     curves = hn.crease_curves(fitted.first)

@@ -19,7 +19,7 @@ from hull_io.mirror import mirror_faces
 FOLDER = Path(__file__).resolve().parents[3] / "shared" / "hulls" / "freeship"
 SEED = 1722
 ALL = os.environ.get("HULL_ALL_COPIES") == "1"
-FEW = 4
+FEW = 2
 # Of hulls with more faces STEP takes long.
 MOST_FACES = 10**9 if ALL else 130
 
