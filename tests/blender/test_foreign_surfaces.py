@@ -81,6 +81,31 @@ def test_flat_shading_is_undone(hull, capfd):
     assert_shows_the_box(hull, capfd)
 
 
+def cancel(hull):
+    make_active(hull)
+    assert bpy.ops.hull.cancel_fields() == {"FINISHED"}
+
+
+def forget_the_start(hull):
+    hull.data.attributes.remove(hull.data.attributes["hull_start"])
+    bpy.context.view_layer.update()
+
+
+@pytest.mark.parametrize("end", [cancel, forget_the_start])
+def test_flat_shading_during_a_preview_is_undone_when_that_ends(hull, end, capfd):
+    assert bpy.ops.hull.add_field_recipe(recipe="FATTEN") == {"FINISHED"}
+    for field in hull.hull.fields.fields:
+        field.shift = (0.0, 0.0, 0.0)  # the exact normals stay
+    assert bpy.ops.hull.preview_fields() == {"FINISHED"}
+    bpy.context.view_layer.update()
+    make_active(surface(hull))
+    bpy.ops.object.shade_flat()
+    bpy.context.view_layer.update()
+    end(hull)
+    assert not hull.hull.fields.is_previewed
+    assert_shows_the_box(hull, capfd)
+
+
 def test_another_mesh_is_left_as_it_is(hull, capfd):
     other = add_hull("other")
     bpy.context.view_layer.update()

@@ -73,6 +73,7 @@ class ShownSurface:
         self._points_key = None
         self._stamp = None  # of the faces of `points`, see _Writer.stamp
         self._left = _Left()
+        self._are_looks_unseen = False  # the mesh was changed while its points alone were looked at
 
     def forget(self):
         """Nothing is known of what the surface object shows, after it changed by itself."""
@@ -91,7 +92,10 @@ class ShownSurface:
             return True
         if not self.is_known or not self._has_points_left(shown):
             return False
-        return self.may_move(obj) or self._has_looks_left(shown.data)
+        if self.may_move(obj):
+            self._are_looks_unseen = True
+            return True
+        return self._has_looks_left(shown.data)
 
     def may_move(self, obj):
         """Whether the hull may be another one at each step of the mouse."""
@@ -138,6 +142,10 @@ class ShownSurface:
         if not self._has_points_left(shown):
             self.forget()
             shown_objects.set_free(shown)
+        if self._are_looks_unseen and not self.may_move(obj):
+            self._are_looks_unseen = False
+            if not self._has_looks_left(shown.data):
+                self.forget()
         self._write_what_is_due(obj, shown, ship.geometry_key, scale)
 
     def _write_what_is_due(self, obj, shown, geometry_key, scale):
