@@ -243,14 +243,18 @@ void bind_plates(py::module_& module) {
       "plates",
       [](const surface::LimitSurface& surface, const std::vector<SurfaceCurve>& curves,
          std::optional<double> size, double largest_knuckle, bool across_centre,
-         const py::object& progress) {
+         std::optional<py::list> left_out, const py::object& progress) {
         const production::PlatingOptions options{size.value_or(0.005 * surface.mesh().size()),
                                                  largest_knuckle, across_centre,
-                                                 progress_from(progress)};
+                                                 left_out.has_value(), progress_from(progress)};
         std::shared_ptr<const Plating> plating;
         {
           const py::gil_scoped_release release;
           plating = std::make_shared<const Plating>(production::plating(surface, curves, options));
+        }
+        for (const production::LooseStretch& loose : plating->loose) {
+          left_out->append(
+              py::make_tuple(plating->shell->curves[loose.curve].name, loose.length, loose.middle));
         }
         std::vector<OnePlate> all;
         for (int i = 0; i < static_cast<int>(plating->plates.size()); ++i) {
@@ -260,17 +264,20 @@ void bind_plates(py::module_& module) {
       },
       py::arg("surface"), py::arg("curves"), py::kw_only(), py::arg("size") = py::none(),
       py::arg("largest_knuckle") = kLargestKnuckle, py::arg("across_centre") = false,
-      py::arg("progress") = py::none(),
+      py::arg("left_out") = py::none(), py::arg("progress") = py::none(),
       "The plates of a LimitSurface between curves (SurfaceCurve) and the surface's borders: a "
       "list of Plate, from aft forward. Their areas are those of the exact regions; they sum to "
       "the surface's. size: of the triangles by which plates are laid out, m; by default 0.005 of "
       "the mesh's size. largest_knuckle (rad; default 0.5°): what a plate may bend by along a "
       "line. across_centre: of half a hull, plates that end in the centre plane without a knuckle, "
       "and "
-      "face up, down or along the ship, are one with their mirror image. progress: called with the "
+      "face up, down or along the ship, are one with their mirror image. left_out: a list; where "
+      "it is given, stretches of curves that end within a plate are left out, and (name of the "
+      "curve, length in m, place (3,)) is added to it for each curve. progress: called with the "
       "share done; what it raises ends the task. ValueError for a "
-      "plate over a knuckle, and for a curve with the same plate on both sides, as one that ends "
-      "within a plate, or that is not on the surface as it is.");
+      "plate over a knuckle; for a curve with the same plate on both sides, as one that ends "
+      "within a plate, without left_out or where it is a knuckle; for one that is not on the "
+      "surface as it is.");
 }
 
 }  // namespace hull::bindings

@@ -7,9 +7,11 @@ import signal
 
 import bpy
 import pytest
-from addon_under_test import add_hull, make_active, part, sample
+from addon_under_test import ROOT, add_hull, make_active, part, sample
 
 pytestmark = pytest.mark.once
+
+SAMPLES = [path.name.split(".")[0] for path in (ROOT / "samples").glob("*.hull.json")]
 
 
 @pytest.mark.parametrize(
@@ -51,6 +53,22 @@ def test_the_list_has_the_hull_s_area(tmp_path):
     both = sum(float(row["area_m2"]) * int(row["pieces"]) for row in rows)
     assert both == pytest.approx(2.0 * whole, rel=1e-6)
     assert {row["pieces"] for row in rows} == {"1", "2"}
+
+
+@pytest.mark.one_in(5)
+@pytest.mark.parametrize("name", sorted(SAMPLES))
+def test_every_sample_s_shell_is_listed(tmp_path, name):
+    """By strakes and plates as long as suits it; what ends within a plate is told."""
+    hull = sample(name)
+    if not hull.hull.half:
+        assert bpy.ops.hull.make_half() == {"FINISHED"}
+    length = hull.dimensions.x
+    sizes = {"plate_length": length / 4.0, "strake": length / 20.0, "frame_spacing": 0.0}
+    path = tmp_path / "plates.csv"
+    assert bpy.ops.hull.export_plates(filepath=str(path), **sizes) == {"FINISHED"}
+    report, _ = part("features.production.plate_files").last_plates(hull)
+    assert len(list(csv.DictReader(path.open()))) == len(report.rows) > 5
+    assert ("left out for ending within a plate" in report.text) == bool(report.left_out)
 
 
 def test_too_many_plates_are_one_sentence(tmp_path, monkeypatch):

@@ -88,7 +88,7 @@ _LATER = {
     "plates": "._production",
     "ruled_warp": "._production",
     "wetted_panels": "._production",
-    "deck_edge": ".strakes",
+    "deck_edges": ".strakes",
     "shell_seams": ".strakes",
     "SeamRule": ".seam_rules",
     "seams_by_rules": ".seam_rules",

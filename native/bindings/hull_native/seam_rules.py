@@ -6,9 +6,17 @@ from math import isfinite
 
 import numpy as np
 
-from ._core import plane_across, tolerances
+from ._core import plane_across
 from ._production import HullCurves
-from .strakes import MOST_BUTTS, MOST_STRAKES, deck_edge, girth_rows, staggered_butts
+from .knuckle_ends import closing_butts
+from .strakes import (
+    MOST_BUTTS,
+    MOST_STRAKES,
+    at_girth_from_deck,
+    girth_rows,
+    is_central,
+    staggered_butts,
+)
 
 # What a rule makes, and what its number is.
 KINDS = {
@@ -50,7 +58,8 @@ class SeamRule:
 
 def seams_by_rules(surface, rules, *, knuckles=True, tolerance=None):
     """(HullCurves, list of SurfaceCurve): the seams and butts of half a hull by SeamRules, for
-    plates(). knuckles: seams along these, too. Butts end on seams.
+    plates(). knuckles: seams along these, too, and a butt across each that fades out in the shell.
+    Butts end on seams.
 
     ValueError, naming the rule, where one meets nothing of the hull or makes too many seams.
     """
@@ -63,7 +72,8 @@ def seams_by_rules(surface, rules, *, knuckles=True, tolerance=None):
         elif rule.kind == "strakes":
             seams += _strakes(curves, rule)
     butts = [b for rule in rules if rule.kind == "butts" for b in _butts(curves, seams, rule)]
-    return curves, seams + butts
+    closing = closing_butts(surface, curves, seams) if knuckles else []
+    return curves, seams + butts + closing
 
 
 def _one(curves, rule):
@@ -72,8 +82,7 @@ def _one(curves, rule):
         if rule.kind in _PLANES:
             return curves.in_plane(plane_across(_PLANES[rule.kind], rule.value), name)
         if rule.kind == "from_deck":
-            base, towards = deck_edge(curves), (0.0, 0.0, -1.0)
-            return curves.at_girth(base, rule.value, towards=towards, name=f"D {rule.value:g}")
+            return at_girth_from_deck(curves, rule.value, f"D {rule.value:g}")
         if rule.kind == "from_centre":
             base, towards = centre_line(curves), (0.0, 1.0, 0.0)
             return curves.at_girth(base, rule.value, towards=towards, name=f"K {rule.value:g}")
@@ -84,7 +93,7 @@ def _one(curves, rule):
 
 def centre_line(curves):
     """The SurfaceCurve of the border in the centre plane that runs lowest along the ship."""
-    central = [c for c in curves.borders() if np.abs(c.points[:, 1]).max() <= _near_centre(c)]
+    central = [c for c in curves.borders() if is_central(c)]
     if not central:
         raise ValueError("The hull has no border in the centre plane: is it half a hull?")
     longest = max(np.ptp(c.points[:, 0]) for c in central)
@@ -92,12 +101,6 @@ def centre_line(curves):
         (c for c in central if np.ptp(c.points[:, 0]) > 0.5 * longest),
         key=lambda c: c.points[:, 2].min(),
     )
-
-
-def _near_centre(curve):
-    """m; of the border's own size, which is no more than the hull's."""
-    size = float(np.linalg.norm(np.ptp(curve.points, axis=0)))
-    return tolerances.ON_CENTRE_PLANE * max(size, 1e-9)
 
 
 def _strakes(curves, rule):

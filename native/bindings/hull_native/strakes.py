@@ -3,25 +3,65 @@
 
 import numpy as np
 
-from ._core import plane_across
+from ._core import plane_across, tolerances
 from ._production import HullCurves
+from .knuckle_ends import closing_butts
 
 # A strake beside the centre line has this part of the others' breadth at least, where the girth is
 # largest.
 _LAST_STRAKE = 0.4
 # Of the breadth of strakes.
 _SHORTEST_BUTT = 0.4
+_DOWN = (0.0, 0.0, -1.0)
+# Of a curve's size: what lies in a plane.
+_FLAT = 1e-7
 MOST_STRAKES, MOST_BUTTS = 60, 400
 
 
-def deck_edge(curves):
-    """The SurfaceCurve of the border along the ship that lies highest, of HullCurves."""
+def deck_edges(curves):
+    """The SurfaceCurves of HullCurves' borders that run along the ship, off its centre plane, and
+    below no other one: of a deck with corners several, two of a demihull. Where a hull has none,
+    the highest one in the centre plane."""
     borders = curves.borders()
     if not borders:
         raise ValueError("The hull has no border along a deck: give its seams yourself.")
+    long = [c for c in borders if np.ptp(c.points[:, 0]) > 0.5 * length_of_curve(c)]
+    beside = [c for c in long if not is_central(c)]
+    if beside:
+        return [c for c in beside if not any(_is_below(c, other) for other in beside)]
     longest = max(np.ptp(c.points[:, 0]) for c in borders)
     long = [c for c in borders if np.ptp(c.points[:, 0]) > 0.8 * longest]
-    return max(long, key=lambda c: c.points[:, 2].mean())
+    return [max(long, key=lambda c: c.points[:, 2].mean())]
+
+
+def is_central(curve):
+    """Whether a SurfaceCurve lies in the centre plane, by its own size."""
+    return np.abs(curve.points[:, 1]).max() <= tolerances.ON_CENTRE_PLANE * _size(curve)
+
+
+def _is_below(curve, other):
+    """Whether most of a curve runs below another one."""
+    ends = [(c.points[:, 0].min(), c.points[:, 0].max()) for c in (curve, other)]
+    (low, high), (first, last) = ends
+    common = min(high, last) - max(low, first)
+    return common > 0.5 * (high - low) and curve.points[:, 2].max() < other.points[:, 2].min()
+
+
+def at_girth_from_deck(curves, girth, name):
+    """SurfaceCurves at a girth down from the deck edges; ValueError where it is nowhere."""
+    decks, knuckles, found, why = deck_edges(curves), curves.knuckles(), [], None
+    middle = _middle(curves, decks)
+    for deck in decks:
+        try:
+            at = curves.at_girth(deck, girth, towards=_DOWN, name=name)
+        except ValueError as error:
+            why = error
+            continue
+        at = [piece for curve in at for piece in _along_the_ship(curves, curve, knuckles)]
+        found += [piece for curve in at for piece in _of_its_side(curves, curve, deck, middle)]
+    if not found:
+        raise ValueError(str(why or f'"{name}" is off the hull.'))
+    return found
 
 
 def shell_seams(surface, *, strake, plate_length, tolerance=None):
@@ -46,7 +86,8 @@ def shell_seams(surface, *, strake, plate_length, tolerance=None):
         for curve in row:
             curve.name = f"Seam {_letters(k)}"
     seams = [curve for row in rows for curve in row] + knuckles
-    return curves, seams + _butts(curves, seams, surface, strake, plate_length)
+    butts = _butts(curves, seams, surface, strake, plate_length)
+    return curves, seams + butts + closing_butts(surface, curves, seams)
 
 
 def length_of_curve(curve):
@@ -65,17 +106,49 @@ def _letters(k):
 
 
 def girth_rows(curves, strake):
-    """Rows of curves of HullCurves at multiples of a girth from the deck edge down, as long as the
+    """Rows of curves of HullCurves at multiples of a girth from the deck edges down, as long as the
     shell below has room; one more than MOST_STRAKES where there are more."""
-    deck, towards, rows = deck_edge(curves), (0.0, 0.0, -1.0), []
+    rows = []
     for k in range(1, MOST_STRAKES + 2):
         try:
-            row = curves.at_girth(deck, k * strake, towards=towards, name=f"Seam {k}")
-            curves.at_girth(deck, (k + _LAST_STRAKE) * strake, towards=towards)
+            row = at_girth_from_deck(curves, k * strake, f"Seam {k}")
+            at_girth_from_deck(curves, (k + _LAST_STRAKE) * strake, "")
         except ValueError:
             break
         rows.append(row)
     return rows
+
+
+def _along_the_ship(curves, curve, knuckles):
+    """A curve at a girth without what it has of flats across the ship, as a transom's, in which no
+    girth is told."""
+    if not knuckles:
+        return [curve]
+    pieces = curves.pieces(curve, knuckles)
+    kept = [piece for piece in pieces if np.ptp(piece.points[:, 0]) > _FLAT * _size(curve)]
+    return [curve] if len(kept) == len(pieces) else kept
+
+
+def _of_its_side(curves, curve, deck, middle):
+    """The pieces of a curve that lie on the same side of the middle line as its deck edge."""
+    if middle is None:
+        return [curve]
+    at, line = middle
+    side = np.sign(deck.points[:, 1].mean() - at)
+    return [p for p in curves.pieces(curve, line) if side * (p.points[:, 1].mean() - at) > 0.0]
+
+
+def _middle(curves, decks):
+    """(y, its lines) midway between the deck edges on either side of a demihull, which has no
+    border in the centre plane; None of half a hull."""
+    if len(decks) < 2 or any(is_central(border) for border in curves.borders()):
+        return None
+    y = np.mean([deck.points[:, 1].mean() for deck in decks])
+    return y, curves.in_plane(plane_across("y", y), "Middle")
+
+
+def _size(curve):
+    return max(float(np.linalg.norm(np.ptp(curve.points, axis=0))), 1e-9)
 
 
 def staggered_butts(curves, seams, ends, apart, shortest):

@@ -54,11 +54,12 @@ class Sides {
 
 class Divider {
  public:
-  Divider(const PlatedShell& shell, const PlatingOptions& options)
+  Divider(PlatedShell& shell, const PlatingOptions& options)
       : shell_(shell), mesh_(shell.mesh), options_(options), sides_(shell.mesh) {}
 
   std::vector<Plate> divide() {
     group();
+    if (options_.leave_out_loose) leave_out_loose();
     check();
     measure();
     for (Plate& plate : plates_) {
@@ -69,10 +70,20 @@ class Divider {
                      [](const Plate& a, const Plate& b) { return a.centre.x() < b.centre.x(); });
     return std::move(plates_);
   }
+  std::vector<LooseStretch> loose() { return std::move(loose_); }
 
  private:
   void group();
+  void leave_out_loose();
   void check() const;
+  bool has_one_plate(const std::array<int, 2>& pair) const {
+    return pair[1] >= 0 && plate_of_[pair[0]] == plate_of_[pair[1]];
+  }
+  // Of a knuckle that no plate may go over.
+  bool is_sharp(std::uint64_t key) const {
+    const auto knuckle = mesh_.knuckles.find(key);
+    return knuckle != mesh_.knuckles.end() && std::abs(knuckle->second) > options_.largest_knuckle;
+  }
   void measure();
   std::vector<std::vector<PlateSide>> loops_of(const Plate& plate) const;
   std::vector<PlateSide> sides_of(std::vector<int> loop) const;
@@ -81,12 +92,13 @@ class Divider {
     return 0.5 * (mesh_.points[key >> 32] + mesh_.points[key & 0xffffffffu]);
   }
 
-  const PlatedShell& shell_;
-  const ShellMesh& mesh_;
+  PlatedShell& shell_;
+  ShellMesh& mesh_;
   const PlatingOptions& options_;
   Sides sides_;
   std::vector<int> plate_of_;  // by triangle
   std::vector<Plate> plates_;
+  std::vector<LooseStretch> loose_;
 };
 
 void Divider::group() {
@@ -109,20 +121,39 @@ void Divider::group() {
   }
 }
 
+// Sides with one plate on both sides part nothing: all can go at once.
+void Divider::leave_out_loose() {
+  std::map<int, LooseStretch> found;
+  std::map<int, double> longest;
+  for (const auto& [key, pair] : sides_.all()) {
+    const auto seam = mesh_.seams.find(key);
+    if (seam == mesh_.seams.end() || !has_one_plate(pair) || is_sharp(key)) continue;
+    LooseStretch& stretch =
+        found.try_emplace(seam->second, LooseStretch{seam->second}).first->second;
+    const double length = (mesh_.points[key >> 32] - mesh_.points[key & 0xffffffffu]).norm();
+    stretch.length += length;
+    if (length > longest[seam->second]) {
+      longest[seam->second] = length;
+      stretch.middle = middle(key);
+    }
+    mesh_.seams.erase(seam);
+  }
+  for (const auto& [curve, stretch] : found) loose_.push_back(stretch);
+}
+
 void Divider::check() const {
   for (const auto& [key, pair] : sides_.all()) {
-    if (pair[1] < 0 || plate_of_[pair[0]] != plate_of_[pair[1]]) continue;
+    if (!has_one_plate(pair)) continue;
     if (const auto seam = mesh_.seams.find(key); seam != mesh_.seams.end()) {
       throw std::invalid_argument(
           "The curve \"" + shell_.curves[seam->second].name +
           "\" has the same plate on both sides at " + place_text(middle(key)) +
           ": let it end on other seams or butts, or on the hull's borders, or leave it out.");
     }
-    const auto knuckle = mesh_.knuckles.find(key);
-    if (knuckle == mesh_.knuckles.end()) continue;
-    if (std::abs(knuckle->second) <= options_.largest_knuckle) continue;
+    if (!is_sharp(key)) continue;
     char angle[40];
-    std::snprintf(angle, sizeof angle, "%.2g°", std::abs(knuckle->second) * 57.29577951308232);
+    std::snprintf(angle, sizeof angle, "%.2g°",
+                  std::abs(mesh_.knuckles.at(key)) * 57.29577951308232);
     throw std::invalid_argument("A plate goes over a knuckle of " + std::string(angle) + " at " +
                                 place_text(middle(key)) + ": put a seam along the knuckle.");
   }
@@ -223,8 +254,9 @@ Plating plating(const surface::LimitSurface& surface, std::vector<SurfaceCurve> 
                            surface::part_of(options.progress, 0.0, 0.5));
   PlatingOptions rest = options;
   rest.progress = surface::part_of(options.progress, 0.5, 1.0);
-  std::vector<Plate> plates = Divider(*shell, rest).divide();
-  return {std::move(shell), std::move(plates)};
+  Divider divider(*shell, rest);
+  std::vector<Plate> plates = divider.divide();
+  return {std::move(shell), std::move(plates), divider.loose()};
 }
 
 }  // namespace hull::production

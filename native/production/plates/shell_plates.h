@@ -47,12 +47,23 @@ struct PlatingOptions {
   // Of half a hull: plates that end in the centre plane without a knuckle there, and face up, down
   // or along the ship rather than to the side, are one with their mirror image.
   bool across_centre = false;
+  // Stretches of curves that end within a plate are left out, in place of refused; not those along
+  // a knuckle that no plate may go over.
+  bool leave_out_loose = false;
   surface::Progress progress;
+};
+
+// What was left out of a curve.
+struct LooseStretch {
+  int curve;                           // of the shell's curves
+  double length = 0.0;                 // m
+  Vector3d middle = Vector3d::Zero();  // of its longest part, m
 };
 
 struct Plating {
   std::shared_ptr<const PlatedShell> shell;
-  std::vector<Plate> plates;  // from aft to forward by their centres
+  std::vector<Plate> plates;        // from aft to forward by their centres
+  std::vector<LooseStretch> loose;  // at most one of a curve
 };
 
 // The plates between curves, creases and borders. Their areas are those of the regions to 1e-12 of
@@ -60,7 +71,7 @@ struct Plating {
 //
 // Throws std::invalid_argument for a size that is not positive; for a plate that goes over a
 // knuckle, naming the place; for a curve that has the same plate on both sides, as one that ends
-// within a plate; and as require_on() of the curves.
+// within a plate, unless these are left out; and as require_on() of the curves.
 Plating plating(const surface::LimitSurface& surface, std::vector<SurfaceCurve> curves,
                 const PlatingOptions& options);
 

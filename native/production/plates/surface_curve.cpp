@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "analysis/arithmetic/bracketed_maximum.h"
 #include "surface/place_in_cell.h"
 #include "surface/queries/closest_point.h"
 
@@ -19,6 +20,8 @@ namespace {
 // Of the mesh's size: points of a curve are at its places on the surface, which are put onto sides
 // and corners within kOnSide.
 constexpr double kOnOwnSurface = 1e-7;
+// Of a cell's side: as near as a shortest way tells its place on it.
+constexpr double kNearestOnSide = 1e-8;
 
 double snapped(double x) {
   if (std::abs(x) <= kOnCellSide) return 0.0;
@@ -90,6 +93,11 @@ class Joiner {
       curve_.points.push_back(b.point);
       return;
     }
+    if (const auto between = over_crease(a, b)) {
+      join(a, *between, depth + 1);
+      join(*between, b, depth + 1);
+      return;
+    }
     if (depth > 60) throw std::invalid_argument(lost(a.point));
     const auto middle = surface::closest_point(tree_, 0.5 * (a.point + b.point));
     const Spot m = spot_at(surface_, {middle.cell, middle.u, middle.v});
@@ -98,6 +106,38 @@ class Joiner {
   }
 
  private:
+  // Over a crease between two cells the way is the shortest one, since at a sharp one, as a stem,
+  // the chord is far from it.
+  std::optional<Spot> over_crease(const Spot& a, const Spot& b) const {
+    const Topology& cells = surface_.cells();
+    for (const CellPlace& from : a.places) {
+      for (const CellPlace& to : b.places) {
+        for (int h = 4 * from.cell; h < 4 * from.cell + 4; ++h) {
+          const int twin = cells.twin(h);
+          if (twin >= 0 && twin / 4 == to.cell && cells.is_crease(h)) {
+            return nearest_to_both(h, a.point, b.point);
+          }
+        }
+      }
+    }
+    return std::nullopt;
+  }
+
+  // The point of a cell's side from which the way to a and b is the shortest.
+  Spot nearest_to_both(int h, const Vector3d& a, const Vector3d& b) const {
+    const auto place = [h](double t) {
+      const Vector2d uv = on_square_side(h % 4, t);
+      return CellPlace{h / 4, uv.x(), uv.y()};
+    };
+    const auto shortness = [&](double t) {
+      const CellPlace at = place(t);
+      const Vector3d p = surface_.position(at.cell, at.u, at.v);
+      return -(p - a).norm() - (p - b).norm();
+    };
+    const auto best = analysis::bracketed_maximum(shortness, 0.0, 1.0, kNearestOnSide);
+    return spot_at(surface_, place(best.place));
+  }
+
   std::string lost(const Vector3d& p) const {
     return "The curve \"" + curve_.name + "\" can't be followed over the surface at (" +
            std::to_string(p.x()) + ", " + std::to_string(p.y()) + ", " + std::to_string(p.z()) +

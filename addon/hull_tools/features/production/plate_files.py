@@ -16,6 +16,7 @@ from . import plate_marks, plate_rules
 
 # Knuckles in the centre plane that may have been meant to be none, rad; others are keels and stems.
 _SLIGHT = radians(10.0)
+_MOST_TOLD = 3
 
 
 @dataclass(frozen=True)
@@ -23,7 +24,8 @@ class PlateReport:
     """rows: of hull_native.plate_rows; unsettled: names of plates whose layout did not settle;
     mass_t: of both sides; key: of the geometry that it is of; knuckles_deg: of keel plates that are
     not one with their mirror images for being slightly bent in the centre plane. mixed: how many
-    plates lie on layers of different thickness."""
+    plates lie on layers of different thickness. left_out: (name of a seam, m, place) of seams that
+    end within a plate."""
 
     rows: list
     unsettled: list
@@ -31,6 +33,7 @@ class PlateReport:
     key: object = None
     knuckles_deg: tuple = ()
     mixed: int = 0
+    left_out: tuple = ()
 
     @property
     def text(self):
@@ -43,19 +46,31 @@ class PlateReport:
             text += f"; apart at a centre knuckle of up to {most:.1f}°: {count} keel plates"
         if self.mixed:
             text += f"; over layers of different thickness, with that of most: {self.mixed}"
+        if self.left_out:
+            ends = [f"{length:.2f} m of {name}" for name, length in self._left_out_lengths()]
+            more = f" and {len(ends) - _MOST_TOLD} more" if len(ends) > _MOST_TOLD else ""
+            text += f"; left out for ending within a plate: {', '.join(ends[:_MOST_TOLD])}{more}"
         return text
+
+    def _left_out_lengths(self):
+        """(name, m) of seams, the longest first."""
+        lengths = {}
+        for name, length, _ in self.left_out:
+            lengths[name] = lengths.get(name, 0.0) + length
+        return sorted(lengths.items(), key=lambda item: -item[1])
 
 
 @dataclass(frozen=True, eq=False)
 class Layout:
     """Plates of a hull laid out. key: what they were made from. surface; curves: HullCurves of it;
-    seams: SurfaceCurves; listed: hull_native.ListedPlates."""
+    seams: SurfaceCurves; listed: hull_native.ListedPlates; left_out: see PlateReport."""
 
     key: tuple
     surface: object
     curves: object
     seams: list
     listed: list
+    left_out: tuple
 
     @property
     def ends(self):
@@ -122,16 +137,19 @@ class PlateTask(jobs.JobTask):
             self._geometry,
             tuple(_slight_knuckles(plates)),
             mixed,
+            layout.left_out,
         )
 
     def _laid_out(self, progress):
         hull_native, surface = native.require(), self._source.new_surface()
         curves, seams = hull_native.seams_by_rules(surface, self._rules, knuckles=self._knuckles)
         progress(0.15)
+        left_out = []
         plates = hull_native.plates(
             surface,
             seams,
             across_centre=self._across,
+            left_out=left_out,
             progress=lambda share: progress(0.15 + 0.25 * share),
         )
         if len(plates) > limits.MOST_PLATES:
@@ -145,7 +163,9 @@ class PlateTask(jobs.JobTask):
             mirrored=True,
             progress=lambda share: progress(0.4 + 0.6 * share),
         )
-        return Layout(self._key, surface, curves, seams, listed)
+        # Knuckles go on, as slight ones that plates go over.
+        told = tuple(one for one in left_out if one[0] != "knuckle")
+        return Layout(self._key, surface, curves, seams, listed, told)
 
     def _finish(self, layout, progress):
         """What else is done with a Layout whose plates have their thickness, in the thread."""
