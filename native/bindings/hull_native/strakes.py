@@ -13,8 +13,6 @@ _LAST_STRAKE = 0.4
 # Of the breadth of strakes.
 _SHORTEST_BUTT = 0.4
 _DOWN = (0.0, 0.0, -1.0)
-# Of a curve's size: what lies in a plane.
-_FLAT = 1e-7
 MOST_STRAKES, MOST_BUTTS = 60, 400
 
 
@@ -49,7 +47,7 @@ def _is_below(curve, other):
 
 def at_girth_from_deck(curves, girth, name):
     """SurfaceCurves at a girth down from the deck edges; ValueError where it is nowhere."""
-    decks, knuckles, found, why = deck_edges(curves), curves.knuckles(), [], None
+    decks, found, why = deck_edges(curves), [], None
     middle = _middle(curves, decks)
     for deck in decks:
         try:
@@ -57,7 +55,6 @@ def at_girth_from_deck(curves, girth, name):
         except ValueError as error:
             why = error
             continue
-        at = [piece for curve in at for piece in _along_the_ship(curves, curve, knuckles)]
         found += [piece for curve in at for piece in _of_its_side(curves, curve, deck, middle)]
     if not found:
         raise ValueError(str(why or f'"{name}" is off the hull.'))
@@ -117,16 +114,6 @@ def girth_rows(curves, strake):
             break
         rows.append(row)
     return rows
-
-
-def _along_the_ship(curves, curve, knuckles):
-    """A curve at a girth without what it has of flats across the ship, as a transom's, in which no
-    girth is told."""
-    if not knuckles:
-        return [curve]
-    pieces = curves.pieces(curve, knuckles)
-    kept = [piece for piece in pieces if np.ptp(piece.points[:, 0]) > _FLAT * _size(curve)]
-    return [curve] if len(kept) == len(pieces) else kept
 
 
 def _of_its_side(curves, curve, deck, middle):

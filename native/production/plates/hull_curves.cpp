@@ -94,6 +94,13 @@ Vector3d unit(const Vector3d& v, const char* name) {
   return v.normalized();
 }
 
+// Whether the surface lies in the planes of a normal there, as a transom does: no section tells a
+// way along it.
+bool is_across(const surface::LimitSurface& surface, const CellPlace& at, const Vector3d& normal) {
+  constexpr double kWithinRounding = 1e-12;  // of the cosine
+  return std::abs(surface.normal(at.cell, at.u, at.v).dot(normal)) > 1.0 - kWithinRounding;
+}
+
 }  // namespace
 
 HullCurves::HullCurves(const surface::LimitSurface& surface, double chord_tolerance)
@@ -176,8 +183,9 @@ std::vector<SurfaceCurve> HullCurves::at_girth(const SurfaceCurve& base, double 
     const auto k = std::min(static_cast<std::size_t>(t), base.steps.size() - 1);
     const CurveStep& step = base.steps[k];
     const Eigen::Vector2d uv = step.from + (t - static_cast<double>(k)) * (step.to - step.from);
-    return girth_point(surface, {step.cell, uv.x(), uv.y()}, normal, side, girth,
-                       0.1 * chord_tolerance_);
+    const Place place = girth_point(surface, {step.cell, uv.x(), uv.y()}, normal, side, girth,
+                                    0.1 * chord_tolerance_);
+    return place && is_across(surface, *place, normal) ? std::nullopt : place;
   };
   std::vector<SurfaceCurve> curves = sampled(rule, parameters, name);
   if (curves.empty()) {

@@ -36,7 +36,8 @@ class HullCurves {
 
   // At a girth from a curve: `girth` metres along the surface, from each point of the base in the
   // plane through it across the direction `across`, towards the side of `towards`. One curve for
-  // each part of the base from which the surface reaches so far; the ends are on its border.
+  // each part of the base from which the surface reaches so far, to what does not lie in such a
+  // plane, as a transom; the ends are on its border, or the latter's.
   //
   // Throws std::invalid_argument where no part does, for a girth that is not positive, for a base
   // that runs in such a plane, and as require_on() of the base.
