@@ -153,15 +153,16 @@ def _sides(curve):
     borders = [0, *((bent[turns] + bent[turns + 1] + 1) // 2), len(signs) - 1]
     sign = signs[bent[0]]
     sides = [(a, b, sign * (-1) ** i) for i, (a, b) in enumerate(zip(borders, borders[1:]))]
-    while True:
-        depths = [curve.hollow(*side) for side in sides]
+    depths = [curve.hollow(*side) for side in sides]
+    while len(sides) > 1:
         least = min(range(len(sides)), key=lambda i: depths[i][1])
-        if len(sides) == 1 or depths[least][1] >= 1.0:
+        if depths[least][1] >= 1.0:
             break
         # It goes to its neighbours, which bend to one side.
-        around = sides[max(least - 1, 0) : least + 2]
-        other = sides[least - 1 if least else 1][2]
-        sides[max(least - 1, 0) : least + 2] = [(around[0][0], around[-1][1], other)]
+        around = slice(max(least - 1, 0), least + 2)
+        first, last = sides[around][0][0], sides[around][-1][1]
+        one = first, last, sides[least - 1 if least else 1][2]
+        sides[around], depths[around] = [one], [curve.hollow(*one)]
     found = [
         Mark(
             INFLECTION,

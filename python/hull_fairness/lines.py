@@ -35,6 +35,9 @@ LEAST_DEPTH = 2e-4
 KNUCKLE = np.radians(1.0)
 # A hull has about as many: planes, light in two views, creases and borders.
 _USUAL_LINES = 200
+# Of the mesh's size: narrower hulls, which are no ships, are judged as if as broad, since samples
+# are set by the beam.
+_LEAST_BEAM = 0.01
 # Of the beam: the distance of samples. Of the extent of a mark every so many are told.
 _STEP = 1.0 / 200.0
 _EXTENT_STEP = 10
@@ -82,6 +85,11 @@ class Line:
         return [found for found in self.found if found.reason is None]
 
 
+def judged_beam(surface, beam):
+    """m: what lines of a hull so broad are judged by."""
+    return max(beam, _LEAST_BEAM * surface.mesh.size)
+
+
 def judged(surface, beam, wanted=(), progress=None, within=None, eye=1.0):
     """Every Line of a surface; beam in m. progress: a callable that takes the share done, 0 to 1;
     what it raises ends it. within (low (3,), high (3,)): only the lines that come into this box,
@@ -90,7 +98,7 @@ def judged(surface, beam, wanted=(), progress=None, within=None, eye=1.0):
     for kind, mark, *_ in wanted:
         if mark not in MARKS.get(kind, ()):
             raise ValueError(f"nothing is a {mark!r} of a {kind!r}: see hull_fairness/lines.py")
-    lines = []
+    lines, beam = [], judged_beam(surface, beam)
     for kind, name, found in _all_found(surface, beam, eye, within):
         found = [mark for mark in found if within is None or _is_in(mark.point, within)]
         lines.append(Line(kind, name, with_reasons(kind, found, wanted)))
@@ -140,7 +148,7 @@ def _cut(surface, column, at, step):
 def found_through(surface, beam, kind, places, eye=1.0):
     """Of each of places (n, 3) the [[Found]] on the line of a kind of PLANES that goes through it,
     in their order along each of its parts between knuckles."""
-    column = "xyz".index(PLANES[kind][0])
+    column, beam = "xyz".index(PLANES[kind][0]), judged_beam(surface, beam)
     for curves in _cut(surface, column, np.asarray(places)[:, column], _STEP * beam):
         yield [part for curve in curves for part in _marks(*curve, True, beam, eye)]
 

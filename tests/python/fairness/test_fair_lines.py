@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 import vessels
 from hull_fairness.inflections import marks as marks_seen
-from hull_fairness.lines import Found, judged, with_reasons
+from hull_fairness.lines import Found, found_through, judged, with_reasons
 
 LEAST = 0.001
 
@@ -142,3 +142,30 @@ def test_what_is_found_within_a_box_is_what_is_found_there():
         assert inside == (part[line.name].found if line.name in part else [])
     assert 0 < sum(len(line.found) for line in part.values()) and len(part) < len(whole)
     assert told == sorted(told) and len(told) == len(whole) and 0.0 < told[0] < 0.01
+
+
+def test_a_hull_narrower_than_any_ship_is_judged_by_no_more_samples(monkeypatch):
+    """They are set by the beam, of which this one has nearly none."""
+    data = copy.deepcopy(vessels.vessel("coaster").data)
+    data.points[:, 1] *= 1e-4
+    surface, whole, steps = vessels.surface_of(data), hn.section_fairness, []
+
+    def recorded(*arguments, step, **options):
+        steps.append(step)
+        return whole(*arguments, step=step, **options)
+
+    monkeypatch.setattr(hn, "section_fairness", recorded)
+    judged(surface, 1e-4 * data.particulars.beam)
+    assert min(steps) >= surface.mesh.size / 20001.0
+    steps.clear()
+    list(found_through(surface, 1e-4, "station", surface.mesh.points[:1]))
+    assert steps and min(steps) >= surface.mesh.size / 20001.0
+
+
+def test_ripples_go_one_by_one_the_least_first():
+    """Sides of a rippled bend: only the two that are deep are left, wherever the ripples are."""
+    s = np.linspace(0.0, 100.0, 20001)
+    ripples = 1e-3 * np.sin(7.0 * s) * (1.0 + 0.3 * np.sin(0.9 * s))
+    wave = 0.1 * np.where(s < 50.0, 1.0, -1.0) * np.sin(np.pi * s / 50.0) ** 2
+    (mark,) = marks_seen(s, wave + ripples, LEAST)
+    assert mark.kind == "inflection" and s[mark.index] == pytest.approx(50.0, abs=1.0)
