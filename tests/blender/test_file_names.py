@@ -66,7 +66,7 @@ def prepared(request):
         conversions.stop()
         return
     # All plates of a box are developed, and have no stretch.
-    found = grid_hull(4, 3) if kind == "stretch" else lined_hull()
+    found = grid_hull() if kind == "stretch" else lined_hull()
     if kind in ("plates", "templates", "stretch", "nesting", "frames", "frame_table"):
         plate_rules(found)
     if kind in ("step", "iges", "report"):
