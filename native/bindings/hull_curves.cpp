@@ -9,6 +9,7 @@
 #include "bindings/arrays.h"
 #include "bindings/planes.h"
 #include "bindings/production_classes.h"
+#include "production/plates/shell_plates.h"
 
 namespace hull::bindings {
 
@@ -16,8 +17,6 @@ using production::HullCurves;
 using production::SurfaceCurve;
 
 namespace {
-
-constexpr double kLeastKnuckle = 0.5 * 0.017453292519943295;
 
 std::vector<SurfaceCurve> in_plane(const HullCurves& curves, const DoubleArray& plane,
                                    const std::string& name) {
@@ -114,7 +113,8 @@ void bind_hull_curves(py::module_& module) {
           "The curves at a girth (m) from a SurfaceCurve: from each of its points so far along the "
           "hull, in the plane through the point across the direction `across` (3,), by default "
           "the frame there, on the side that lies towards (3,). A list: one for each part of the "
-          "base from which the hull reaches so far; ends are on its border. ValueError where no "
+          "base from which the hull reaches so far, to what does not lie in such a plane, as a "
+          "transom; ends are on its border, or the latter's. ValueError where no "
           "part does, for a girth that is not positive, for a base in such planes, and for one "
           "that "
           "is not on the surface as it is.")
@@ -141,7 +141,7 @@ void bind_hull_curves(py::module_& module) {
       .def("borders", &HullCurves::borders,
            "The surface's borders from corner to corner, as a list of SurfaceCurve named "
            "\"border\".")
-      .def("knuckles", &HullCurves::knuckles, py::arg("least_angle") = kLeastKnuckle,
+      .def("knuckles", &HullCurves::knuckles, py::arg("least_angle") = production::kLargestKnuckle,
            "The knuckles whose angle exceeds least_angle (rad; default 0.5°) anywhere, as a list "
            "of SurfaceCurve named \"knuckle\". ValueError for one below 0 or not finite.")
       .def(

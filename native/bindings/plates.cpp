@@ -19,8 +19,6 @@ using production::SurfaceCurve;
 
 namespace {
 
-constexpr double kLargestKnuckle = 0.5 * 0.017453292519943295;
-
 // A plate with the plating that it is of.
 struct OnePlate {
   std::shared_ptr<const Plating> plating;
@@ -239,6 +237,7 @@ void bind_plate(py::module_& module) {
 void bind_plates(py::module_& module) {
   bind_flat_plate(module);
   bind_plate(module);
+  module.attr("LARGEST_KNUCKLE") = production::kLargestKnuckle;
   module.def(
       "plates",
       [](const surface::LimitSurface& surface, const std::vector<SurfaceCurve>& curves,
@@ -263,7 +262,7 @@ void bind_plates(py::module_& module) {
         return all;
       },
       py::arg("surface"), py::arg("curves"), py::kw_only(), py::arg("size") = py::none(),
-      py::arg("largest_knuckle") = kLargestKnuckle, py::arg("across_centre") = false,
+      py::arg("largest_knuckle") = production::kLargestKnuckle, py::arg("across_centre") = false,
       py::arg("left_out") = py::none(), py::arg("progress") = py::none(),
       "The plates of a LimitSurface between curves (SurfaceCurve) and the surface's borders: a "
       "list of Plate, from aft forward. Their areas are those of the exact regions; they sum to "

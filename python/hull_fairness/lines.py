@@ -85,7 +85,7 @@ class Line:
         return [found for found in self.found if found.reason is None]
 
 
-def judged_beam(surface, beam):
+def _judged_beam(surface, beam):
     """m: what lines of a hull so broad are judged by."""
     return max(beam, _LEAST_BEAM * surface.mesh.size)
 
@@ -98,7 +98,7 @@ def judged(surface, beam, wanted=(), progress=None, within=None, eye=1.0):
     for kind, mark, *_ in wanted:
         if mark not in MARKS.get(kind, ()):
             raise ValueError(f"nothing is a {mark!r} of a {kind!r}: see hull_fairness/lines.py")
-    lines, beam = [], judged_beam(surface, beam)
+    lines, beam = [], _judged_beam(surface, beam)
     for kind, name, found in _all_found(surface, beam, eye, within):
         found = [mark for mark in found if within is None or _is_in(mark.point, within)]
         lines.append(Line(kind, name, with_reasons(kind, found, wanted)))
@@ -148,7 +148,7 @@ def _cut(surface, column, at, step):
 def found_through(surface, beam, kind, places, eye=1.0):
     """Of each of places (n, 3) the [[Found]] on the line of a kind of PLANES that goes through it,
     in their order along each of its parts between knuckles."""
-    column, beam = "xyz".index(PLANES[kind][0]), judged_beam(surface, beam)
+    column, beam = "xyz".index(PLANES[kind][0]), _judged_beam(surface, beam)
     for curves in _cut(surface, column, np.asarray(places)[:, column], _STEP * beam):
         yield [part for curve in curves for part in _marks(*curve, True, beam, eye)]
 

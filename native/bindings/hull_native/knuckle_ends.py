@@ -3,10 +3,9 @@
 
 import numpy as np
 
-from ._core import crease_curves, knuckle_angles, plane_across
+from ._core import crease_curves, plane_across
+from ._production import LARGEST_KNUCKLE
 
-# Of a knuckle up to which a plate goes over it, as plates() has it.
-LARGEST_KNUCKLE = np.radians(0.5)
 # Of the mesh's size: what meets, meets in a control vertex.
 _SAME_PLACE = 1e-9
 _SAMPLES = 32  # of an edge
@@ -15,30 +14,46 @@ _HALVINGS = 20  # of the way from a sharp place to the end
 _NEAR = 1e-4
 
 
-def closing_butts(surface, curves, seams, largest_knuckle=LARGEST_KNUCKLE):
+def closing_butts(surface, curves, seams):
     """Curves, by HullCurves of a surface, across those of its knuckles that end on no other line:
-    from seam to seam, where the angle (rad) has fallen to what a plate may go over."""
-    chains = [(number, chain) for number, chain in enumerate(crease_curves(surface))]
-    knuckles = {
-        number: knuckle_angles(surface, number, samples_per_edge=_SAMPLES)
-        for number, chain in chains
-        if chain.kind == "crease"
-    }
-    knuckles = {n: a for n, a in knuckles.items() if _largest(a) > largest_knuckle}
-    kept = [chain for n, chain in chains if n in knuckles or chain.kind == "border"]
+    from seam to seam, where the angle has fallen to what a plate may go over."""
+    ends = _free_ends(surface)
     near = _NEAR * surface.mesh.size
-    sound = _sound(curves, seams, near)
-    made = []
-    for number, angles in knuckles.items():
-        chain = chains[number][1]
-        if chain.closed:
+    sound = _sound(curves, seams, near) if ends else []
+    return [
+        _butt(curves, sound, chain, (end, _faded(surface, chain, inner, end)), near)
+        for chain, inner, end in ends
+    ]
+
+
+def _free_ends(surface):
+    """(CreaseCurve, last sharp place t, end t) of each end of a knuckle that is on no other line,
+    and on no other part of its own."""
+    chains = crease_curves(surface)
+    sharp = [(chain, _sharp_places(surface, chain)) for chain in chains]
+    corners = np.array([
+        corner
+        for chain, places in sharp
+        if len(places) or chain.kind == "border"
+        for corner in chain.evaluate(np.arange(chain.edge_count + 1.0))[0]
+    ])  # fmt: skip
+    found = []
+    for chain, places in sharp:
+        if not len(places) or chain.closed:
             continue
-        for end in (0.0, float(chain.edge_count)):
-            if not _is_free(chain, end, kept, surface.mesh.size):
-                continue
-            at = _faded(surface, chain, angles, end, largest_knuckle)
-            made.append(_butt(curves, sound, chain, (end, at), near))
-    return made
+        for inner, end in ((places[0], 0.0), (places[-1], float(chain.edge_count))):
+            apart = np.linalg.norm(corners - _place(chain, end), axis=1)
+            if np.count_nonzero(apart <= _SAME_PLACE * surface.mesh.size) == 1:
+                found.append((chain, inner, end))
+    return found
+
+
+def _sharp_places(surface, chain):
+    """The samples t of a crease, rising, where no plate goes over it; none of a border."""
+    if chain.kind == "border":
+        return np.empty(0)
+    t = np.linspace(0.0, chain.edge_count, _SAMPLES * chain.edge_count + 1)
+    return t[_angles(surface, chain, t) > LARGEST_KNUCKLE]
 
 
 def _sound(curves, seams, near):
@@ -59,42 +74,26 @@ def _distance(curve, place):
     return np.linalg.norm(start + share[:, None] * along - place, axis=1).min()
 
 
-def _largest(angles):
-    return np.nanmax(np.abs(angles.angles), initial=0.0)
-
-
 def _place(chain, t):
     return chain.evaluate(np.array([t]))[0][0]
 
 
-def _is_free(chain, end, kept, size):
-    """Whether the chain's end is on no other chain, and on no other part of its own."""
-    place, met = _place(chain, end), 0
-    for other in kept:
-        corners = other.evaluate(np.arange(other.edge_count + 1.0))[0]
-        met += (np.linalg.norm(corners - place, axis=1) <= _SAME_PLACE * size).sum()
-    return met == 1
-
-
-def _faded(surface, chain, angles, end, largest):
-    """The place t of the chain from which on, to its end, no angle is above the largest."""
-    sharp = angles.t[np.abs(angles.angles) > largest]
-    inner = sharp.min() if end == 0.0 else sharp.max()
-    outer = end
+def _faded(surface, chain, inner, outer):
+    """The place t of a chain, between one where it is sharp and its end, from which on a plate
+    may go over it."""
     for _ in range(_HALVINGS):
         middle = 0.5 * (inner + outer)
-        if _angle(surface, chain, middle) > largest:
+        if _angles(surface, chain, np.array([middle]))[0] > LARGEST_KNUCKLE:
             inner = middle
         else:
             outer = middle
     return outer
 
 
-def _angle(surface, chain, t):
-    """Between the normals on both sides of a crease, rad."""
-    at = np.array([t])
-    one, other = (surface.normals(*side(at))[0] for side in (chain.left, chain.right))
-    return np.arctan2(np.linalg.norm(np.cross(one, other)), one @ other)
+def _angles(surface, chain, t):
+    """(k,) between the normals on both sides of a crease at t (k,), rad."""
+    one, other = (surface.normals(*side(t)) for side in (chain.left, chain.right))
+    return np.arctan2(np.linalg.norm(np.cross(one, other), axis=1), (one * other).sum(axis=1))
 
 
 def _butt(curves, seams, chain, ends, near):

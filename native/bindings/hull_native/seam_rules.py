@@ -9,14 +9,7 @@ import numpy as np
 from ._core import plane_across
 from ._production import HullCurves
 from .knuckle_ends import closing_butts
-from .strakes import (
-    MOST_BUTTS,
-    MOST_STRAKES,
-    at_girth_from_deck,
-    girth_rows,
-    is_central,
-    staggered_butts,
-)
+from .strakes import MOST_BUTTS, MOST_STRAKES, DeckEdges, girth_rows, is_central, staggered_butts
 
 # What a rule makes, and what its number is.
 KINDS = {
@@ -82,7 +75,7 @@ def _one(curves, rule):
         if rule.kind in _PLANES:
             return curves.in_plane(plane_across(_PLANES[rule.kind], rule.value), name)
         if rule.kind == "from_deck":
-            return at_girth_from_deck(curves, rule.value, f"D {rule.value:g}")
+            return DeckEdges(curves).at_girth(rule.value, f"D {rule.value:g}")
         if rule.kind == "from_centre":
             base, towards = centre_line(curves), (0.0, 1.0, 0.0)
             return curves.at_girth(base, rule.value, towards=towards, name=f"K {rule.value:g}")

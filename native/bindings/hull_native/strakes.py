@@ -45,20 +45,35 @@ def _is_below(curve, other):
     return common > 0.5 * (high - low) and curve.points[:, 2].max() < other.points[:, 2].min()
 
 
-def at_girth_from_deck(curves, girth, name):
-    """SurfaceCurves at a girth down from the deck edges; ValueError where it is nowhere."""
-    decks, found, why = deck_edges(curves), [], None
-    middle = _middle(curves, decks)
-    for deck in decks:
-        try:
-            at = curves.at_girth(deck, girth, towards=_DOWN, name=name)
-        except ValueError as error:
-            why = error
-            continue
-        found += [piece for curve in at for piece in _of_its_side(curves, curve, deck, middle)]
-    if not found:
-        raise ValueError(str(why or f'"{name}" is off the hull.'))
-    return found
+class DeckEdges:
+    """The deck edges of HullCurves, from which girths are measured down."""
+
+    def __init__(self, curves):
+        self._curves, self._decks = curves, deck_edges(curves)
+        self._middle = _middle(curves, self._decks)
+
+    def at_girth(self, girth, name):
+        """SurfaceCurves at a girth; ValueError where it is nowhere."""
+        found, why = [], None
+        for deck in self._decks:
+            try:
+                at = self._curves.at_girth(deck, girth, towards=_DOWN, name=name)
+            except ValueError as error:
+                why = error
+                continue
+            found += [piece for curve in at for piece in self._of_its_side(curve, deck)]
+        if not found:
+            raise ValueError(str(why or f'"{name}" is off the hull.'))
+        return found
+
+    def _of_its_side(self, curve, deck):
+        """The pieces of a curve that lie on the same side of the middle line as its deck edge."""
+        if self._middle is None:
+            return [curve]
+        y, line = self._middle
+        side = np.sign(deck.points[:, 1].mean() - y)
+        pieces = self._curves.pieces(curve, line)
+        return [piece for piece in pieces if side * (piece.points[:, 1].mean() - y) > 0.0]
 
 
 def shell_seams(surface, *, strake, plate_length, tolerance=None):
@@ -105,24 +120,15 @@ def _letters(k):
 def girth_rows(curves, strake):
     """Rows of curves of HullCurves at multiples of a girth from the deck edges down, as long as the
     shell below has room; one more than MOST_STRAKES where there are more."""
-    rows = []
+    decks, rows = DeckEdges(curves), []
     for k in range(1, MOST_STRAKES + 2):
         try:
-            row = at_girth_from_deck(curves, k * strake, f"Seam {k}")
-            at_girth_from_deck(curves, (k + _LAST_STRAKE) * strake, "")
+            row = decks.at_girth(k * strake, f"Seam {k}")
+            decks.at_girth((k + _LAST_STRAKE) * strake, "")
         except ValueError:
             break
         rows.append(row)
     return rows
-
-
-def _of_its_side(curves, curve, deck, middle):
-    """The pieces of a curve that lie on the same side of the middle line as its deck edge."""
-    if middle is None:
-        return [curve]
-    at, line = middle
-    side = np.sign(deck.points[:, 1].mean() - at)
-    return [p for p in curves.pieces(curve, line) if side * (p.points[:, 1].mean() - at) > 0.0]
 
 
 def _middle(curves, decks):

@@ -41,6 +41,9 @@ struct Plate {
 // The points of a side, m.
 std::vector<Vector3d> side_points(const PlatedShell& shell, const PlateSide& side);
 
+// Of a knuckle, rad: what a plate may be bent by along a line, where nothing else is asked for.
+inline constexpr double kLargestKnuckle = 0.5 * 0.017453292519943295;
+
 struct PlatingOptions {
   double size;             // of triangles, m
   double largest_knuckle;  // rad; plates may bend by so much along a line, but not more
