@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Hull Tools: ship hulls as one control mesh, from Blender's mesh editor to lines and STEP."""
 
+import gc
+
 bl_info = {
     "name": "Hull Tools",
     "description": "Model a ship's hull as one control mesh: surface, lines, hydrostatics, STEP",
@@ -13,9 +15,16 @@ bl_info = {
 
 
 def register():
-    from . import hull_tools
+    # Nearly all that is made now stays: looking for garbage meanwhile takes a fifth of the time.
+    collects = gc.isenabled()
+    gc.disable()
+    try:
+        from . import hull_tools
 
-    hull_tools.register()
+        hull_tools.register()
+    finally:
+        if collects:
+            gc.enable()
 
 
 def unregister():
