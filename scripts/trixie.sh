@@ -33,5 +33,5 @@ in_root "$plain" sh -c 'cd /house/checkout && blender --command extension valida
 # HULL_ALL_IN_BLENDER=1 does not leave out.
 if [ "${HULL_ALL_IN_BLENDER:-0}" = 1 ]; then tried=; else tried='not once'; fi
 # shellcheck disable=SC2016 # expanded in the chroot
-in_root "$plain" env HULL_FOREIGN_STEPS="${HULL_FOREIGN_STEPS:-500}" HULL_FOREIGN_SEED="${HULL_FOREIGN_SEED:-20261122}" \
+in_root "$plain" env HULL_FOREIGN_STEPS="${HULL_FOREIGN_STEPS:-250}" HULL_FOREIGN_SEED="${HULL_FOREIGN_SEED:-20261122}" \
     sh -c 'cd /house/checkout && scripts/try_addon.sh build/package/*-extension.zip -m "$1" tests/blender' sh "$tried"

@@ -17,7 +17,9 @@ inline mesh::MeshArrays half_hull(int refine = 1, int halved_every = 12) {
   mesh::MeshArrays mesh;
   for (int i = 0; i <= stations; ++i) {
     const double s = static_cast<double>(i) / stations;
-    const double fullness = std::pow(std::sin(3.14159265 * (0.12 + 0.88 * s)), 0.45);
+    // None at the stem, which is in the centre plane.
+    const double fullness =
+        i < stations ? std::pow(std::sin(3.14159265 * (0.12 + 0.88 * s)), 0.45) : 0.0;
     for (int j = 0; j <= girth; ++j) {
       const double t = static_cast<double>(j) / girth;
       const double y = 9.0 * fullness * std::pow(std::sin(1.5707963 * t), 0.6);

@@ -55,6 +55,7 @@ def in_megabytes(text):
     return [float(before.split()[-1]) for before in text.split(" MB")[:-1]]
 
 
+@pytest.mark.once
 def test_triangles_take_one_patch_a_cell_and_say_so(tmp_path):
     hull, patches = add_triangles(9), part("features.conversion.patches")
     settings, asked = hull.hull.export, patches.asked_of(hull.hull.export)
@@ -76,6 +77,7 @@ def test_triangles_take_one_patch_a_cell_and_say_so(tmp_path):
     assert told == pytest.approx([size / 1e6, exact_size / 1e6], rel=0.15)
 
 
+@pytest.mark.once
 def test_exact_patches_of_triangles_can_be_had(tmp_path):
     hull = add_triangles(9)
     exact = converted(hull, "EXACT")

@@ -203,6 +203,7 @@ def test_nonsense_is_refused():
     assert np.array_equal(points_of(hull), before)
 
 
+@pytest.mark.once
 def test_the_wave_resistance_is_lowered_and_told():
     """At kept displacement, length and beam; the surface gets no more marks than it had."""
     hull = sample()

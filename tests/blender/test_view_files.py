@@ -48,6 +48,7 @@ def test_unknown_endings_are_refused(tmp_path, call):
 FIGURES = ("control-mesh", "lines-plan", "reflection", "rendering", "sections-plan")
 
 
+@pytest.mark.once
 @pytest.mark.parametrize("ending", ["png", "svg"])
 def test_figures_are_written(tmp_path, ending):
     """As plain Python writes them, whatever the object is called; in edit mode, too."""
@@ -62,6 +63,7 @@ def test_figures_are_written(tmp_path, ending):
     assert all(one.stat().st_size > 1000 for one in tmp_path.iterdir())
 
 
+@pytest.mark.once
 def test_figures_of_a_whole_hull_of_odd_size(tmp_path):
     """A box of 10 by 4 by 3 mm, both sides, in a scene in millimetres."""
     bpy.context.scene.unit_settings.scale_length = 0.001
