@@ -6,33 +6,26 @@
 
 #include <cmath>
 
-#include "benchmarks/half_hull.h"
+#include "benchmarks/half_hull_surface.h"
 #include "benchmarks/ratio_report.h"
 #include "resistance/michell_integral.h"
 
 namespace {
 
 using hull::analysis::HullBody;
+using hull::benchmarks::half_hull_surface;
 using hull::resistance::MichellIntegral;
 using hull::surface::LimitSurface;
 
 constexpr hull::analysis::FloatingPosition kAfloat{6.0, 0.0, 0.0, 50.0};
 constexpr int kSpeeds = 40;
 
-// Faces and how many are halved, as of half_hull().
-LimitSurface surface_of(benchmark::State& state) {
-  const auto refine = static_cast<int>(state.range(0)), every = static_cast<int>(state.range(1));
-  LimitSurface surface{hull::mesh::ControlMesh(hull::benchmarks::half_hull(refine, every))};
-  state.counters["points"] = static_cast<double>(surface.mesh().points().size());
-  return surface;
-}
-
 double speed_at(double froude, double length) {
   return froude * std::sqrt(hull::resistance::kGravity * length);
 }
 
 void BM_FortySpeeds(benchmark::State& state) {
-  const LimitSurface surface = surface_of(state);
+  const LimitSurface surface = half_hull_surface(state);
   const HullBody body(surface, true);
   for (auto _ : state) {
     const MichellIntegral integral(body, kAfloat);
@@ -46,7 +39,7 @@ void BM_FortySpeeds(benchmark::State& state) {
 BENCHMARK(BM_FortySpeeds)->Args({1, 12})->Args({3, 108})->Unit(benchmark::kMillisecond);
 
 void BM_Gradient(benchmark::State& state) {
-  const LimitSurface surface = surface_of(state);
+  const LimitSurface surface = half_hull_surface(state);
   const HullBody body(surface, true);
   const hull::analysis::BodyDerivatives derivatives(body);
   const MichellIntegral integral(body, kAfloat);

@@ -3,25 +3,18 @@
 // to, at 140 and at some 1000 points. One thread.
 #include <benchmark/benchmark.h>
 
-#include "benchmarks/half_hull.h"
+#include "benchmarks/half_hull_surface.h"
 #include "benchmarks/ratio_report.h"
 #include "modelling/targets/targets.h"
 
 namespace {
 
 using hull::analysis::FormNumber;
+using hull::benchmarks::half_hull_surface;
 using hull::surface::LimitSurface;
 
 constexpr hull::analysis::FloatingPosition kAfloat{6.0, 0.0, 0.0, 50.0};
 constexpr hull::analysis::ProjectDimensions kProject{100.0, 18.0, 6.0};
-
-// Refined once: 140 points; three times: 1120.
-LimitSurface surface_of(benchmark::State& state) {
-  const auto refine = static_cast<int>(state.range(0)), every = static_cast<int>(state.range(1));
-  LimitSurface surface{hull::mesh::ControlMesh(hull::benchmarks::half_hull(refine, every))};
-  state.counters["points"] = static_cast<double>(surface.mesh().points().size());
-  return surface;
-}
 
 // Faces and how many are halved, as of half_hull().
 void hulls(benchmark::internal::Benchmark* benchmark) {
@@ -29,7 +22,7 @@ void hulls(benchmark::internal::Benchmark* benchmark) {
 }
 
 void BM_Derivatives(benchmark::State& state) {
-  const LimitSurface surface = surface_of(state);
+  const LimitSurface surface = half_hull_surface(state);
   const hull::analysis::HullBody body(surface, true);
   const hull::analysis::BodyDerivatives derivatives(body);
   const hull::analysis::Immersion immersion = body.immersion(water_plane(kAfloat));
@@ -38,7 +31,7 @@ void BM_Derivatives(benchmark::State& state) {
 BENCHMARK(BM_Derivatives)->Apply(hulls)->Unit(benchmark::kMillisecond);
 
 void BM_FiveTargets(benchmark::State& state) {
-  const LimitSurface surface = surface_of(state);
+  const LimitSurface surface = half_hull_surface(state);
   hull::modelling::TargetOptions options;
   options.water.position = kAfloat;
   options.water.project = kProject;
