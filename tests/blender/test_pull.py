@@ -310,6 +310,13 @@ def eye_from_port(hull, size=(800, 600), width=20.0):
     return part("features.modelling.pull_lines").Eye(to_clip, size)
 
 
+def test_a_hull_that_is_scaled_to_nothing_has_no_depth():
+    eye = eye_from_port(grid_hull())
+    assert np.array_equal(eye.from_clip, np.linalg.inv(eye.to_clip))
+    flat = type(eye)(eye.to_clip @ np.diag([1.0, 0.0, 1.0, 1.0]), eye.size)
+    assert flat.from_clip is None
+
+
 def test_the_eyes_ray_goes_through_what_is_seen():
     hull = grid_hull()
     eye, drags = eye_from_port(hull), part("features.modelling.drags")

@@ -151,3 +151,26 @@ def test_escape_leaves_the_field_as_it_was(window):
     assert np.array_equal(values(), was)
     assert not part("features.fields.handles").held(hull_at_hand()).is_on
     sidebar.show_all_panels()
+
+
+def test_a_hull_that_is_scaled_to_nothing_has_no_handles(window):
+    """No traceback while it is drawn: there is no way back from the picture to it."""
+    begin(window)
+    yield
+    yield from sidebar.press(window, "hull.add_field", across=sidebar.BESIDE_LIST)
+    parent = bpy.data.objects.new("Flat", None)
+    bpy.context.collection.objects.link(parent)
+    hull_at_hand().parent = parent
+    parent.scale = (1.0, 0.0, 1.0)
+    yield
+    yield
+    assert eye(window).from_clip is None
+    with window.in_view():
+        assert not bpy.ops.hull.drag_field.poll() and not bpy.ops.hull.pull_surface.poll()
+    parent.scale = (1.0, 1.0, 1.0)
+    yield
+    yield from sidebar.press(window, "hull.drag_field")
+    assert part("features.fields.handles").held(hull_at_hand()).is_on
+    window.press("ESC")
+    yield
+    sidebar.show_all_panels()

@@ -121,6 +121,8 @@ def _draw_handles(shown, base, row):
         handles.held(shown.hull),
         _eye(shown),
     )
+    if eye.from_clip is None:
+        return
     found = handles.places(row, base, eye, shown.metres_per_unit)
     start, *places = _in_picture(eye, np.array([base.anchor, *found.values()]))
     places = dict(zip(found, places))

@@ -3,6 +3,7 @@
 eye's ray meets it; and the mark that shows what is held."""
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from mathutils import Matrix
@@ -66,11 +67,20 @@ class Eye:
     to_clip: np.ndarray
     size: tuple
 
+    @cached_property
+    def from_clip(self):
+        """4 × 4, the way back. None of a hull that is scaled to nothing in some direction: a place
+        of the picture is many of it, or none."""
+        try:
+            return np.linalg.inv(self.to_clip)
+        except np.linalg.LinAlgError:
+            return None
+
     def ray(self, mouse):
-        """(origin (3,), direction (3,)) in m of what is seen at a place of the picture."""
+        """(origin (3,), direction (3,)) in m of what is seen at a place of the picture, where there
+        is a way back."""
         x, y = 2.0 * np.asarray(mouse, dtype=np.float64) / np.asarray(self.size) - 1.0
-        back = np.linalg.inv(self.to_clip)
-        near, far = (back @ (x, y, depth, 1.0) for depth in (-1.0, 1.0))
+        near, far = (self.from_clip @ (x, y, depth, 1.0) for depth in (-1.0, 1.0))
         near, far = near[:3] / near[3], far[:3] / far[3]
         return near, (far - near) / np.linalg.norm(far - near)
 
