@@ -33,6 +33,9 @@ SLOW_STEP_SECONDS = 1.0  # of the processor: told in the log
 # In a window, between two steps: work for pauses is done in the longest of these.
 PAUSES_SECONDS = (0.0, 0.0, 0.0, 0.5)
 EVENT_SECONDS = 0.1
+# With simulated events Blender never rests between two of them, but looks for the next one all the
+# time: it is put to rest so long at a time, and draws and serves other timers between.
+REST_SECONDS = 0.02
 
 
 class Listening:
@@ -107,17 +110,24 @@ class InWindow:
 
     def __init__(self, *arguments):
         self._arguments, self._run, self._done = arguments, None, ""
+        self._rests_until = 0.0
         self._chance, self._events = random.Random(arguments[0]), None
         # Drawn by the processor, smoothing takes longer than all else.
         bpy.context.preferences.system.viewport_aa = "OFF"
 
     def advance(self):
+        left = self._rests_until - time.monotonic()
+        if left > 0.0:
+            time.sleep(min(left, REST_SECONDS))
+            return 0.0
         try:
             self._advance()
         except Exception:
             traceback.print_exc()
             os._exit(1)
-        return EVENT_SECONDS if self._events else self._chance.choice(PAUSES_SECONDS)
+        pause = EVENT_SECONDS if self._events else self._chance.choice(PAUSES_SECONDS)
+        self._rests_until = time.monotonic() + pause
+        return 0.0
 
     def _advance(self):
         if self._run is None:
@@ -127,10 +137,9 @@ class InWindow:
             self._events = open_sidebar() if self._arguments[0] % 2 else []
         elif self._events:
             self._events.pop(0)()
-        elif self._done:
-            self._run.judge(self._done)
-            self._done = ""
         else:
+            if self._done:
+                self._run.judge(self._done)
             self._done = self._run.step()
 
 
