@@ -58,6 +58,12 @@ dxf::DxfUnit dxf_unit_from(const std::string& name) {
   throw std::invalid_argument("dxf_unit is \"m\" or \"mm\", not \"" + name + "\".");
 }
 
+drawing::LengthUnit length_unit_from(const std::string& name) {
+  if (name == "m") return drawing::LengthUnit::kMetre;
+  if (name == "ft") return drawing::LengthUnit::kFoot;
+  throw std::invalid_argument("lengths_in is \"m\" or \"ft\", not \"" + name + "\".");
+}
+
 drawing::PlanViews views_from(const std::vector<std::string>& names) {
   drawing::PlanViews views{false, false, false};
   for (const std::string& name : names) {
@@ -134,7 +140,7 @@ PYBIND11_MODULE(_drawing, module) {
          const std::string& title, const Rows& title_rows, const Rows& particulars,
          const PaperName& paper, const std::optional<double>& scale, const std::string& dxf_unit,
          const std::optional<double>& tolerance, const std::vector<std::string>& views,
-         const py::object& progress) {
+         const std::string& lengths_in, const py::object& progress) {
         hull::drawing::LinesOptions options;
         options.progress = progress_from(progress);
         options.stations = numbers_from(stations, "stations");
@@ -160,6 +166,7 @@ PYBIND11_MODULE(_drawing, module) {
         options.dxf_unit = dxf_unit_from(dxf_unit);
         options.tolerance = tolerance;
         options.views = views_from(views);
+        options.unit = length_unit_from(lengths_in);
         const py::gil_scoped_release release;
         hull::drawing::write_lines_drawing(surface, options, path.string());
       },
@@ -168,7 +175,8 @@ PYBIND11_MODULE(_drawing, module) {
       py::arg("draft"), py::arg("length"), py::arg("station_spacing"), py::arg("frame_spacing"),
       py::arg("frames"), py::arg("in_frames"), py::arg("offsets"), py::arg("title"),
       py::arg("title_rows"), py::arg("particulars"), py::arg("paper"), py::arg("scale"),
-      py::arg("dxf_unit"), py::arg("tolerance"), py::arg("views"), py::arg("progress"),
+      py::arg("dxf_unit"), py::arg("tolerance"), py::arg("views"), py::arg("lengths_in"),
+      py::arg("progress"),
       "What write_lines_drawing does with all positions in m and all options given.");
   module.def(
       "write_curves_dxf",

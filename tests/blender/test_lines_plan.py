@@ -49,6 +49,20 @@ def test_options_reach_the_drawing(tmp_path):
     assert "Table of offsets, moulded, mm" not in export(tmp_path / "box.dxf").read_text()
 
 
+def test_feet_where_the_scene_has_them(tmp_path):
+    plan_hull()
+    bpy.context.scene.unit_settings.system = "IMPERIAL"
+    words = export(tmp_path / "box.dxf").read_text().splitlines()
+    assert "Lengths in feet" in words and "Table of offsets, moulded, feet-inches-eighths" in words
+    assert f"{LENGTH / 0.3048:.2f} ft" in words and "6.562 ft" not in words
+    assert "DWL 6.562 ft" in words  # 2 m
+    assert any(word.endswith(" LT") for word in words) and any(
+        word.endswith(" ft³") for word in words
+    )
+    metric = [word for word in words if word.endswith((" m", " m³", " t")) or "metre" in word]
+    assert not metric
+
+
 def test_stations_in_frames(tmp_path):
     lines = plan_hull().hull.lines
     lines.frame_spacing = 0.5

@@ -5,25 +5,12 @@ import re
 import shutil
 import subprocess
 from math import cos, radians, tan
-from pathlib import Path
 
 import hull_io
 import hull_native as hn
 import numpy as np
 import pytest
-from dxf_audit import assert_audited
-
-ROOT = Path(__file__).resolve().parents[2]
-SAMPLES = ("barge", "coaster")
-FREESHIP = ROOT.parent / "shared" / "hulls" / "freeship" / "FREE!ship demo 3.fbm"
-DIAGONALS = [(5.0, radians(35.0)), (3.5, radians(50.0))]
-
-
-def read(path):
-    data = hull_io.read_hull(path)
-    shell = hull_io.shell_arrays(data)
-    arrays = shell.arguments()
-    return data, hn.LimitSurface(hn.ControlMesh(*arrays))
+from lines_plans import FREESHIP, ROOT, SAMPLES, draw, dxf_of, read
 
 
 @pytest.fixture(params=(*SAMPLES, "demo 3"))
@@ -40,33 +27,7 @@ def coaster():
     return read(ROOT / "samples" / "coaster.hull.json")
 
 
-def draw(hull, path, **others):
-    data, surface = hull
-    given = data.particulars
-    options = {
-        "mirrored": data.half,
-        "stations": given.length_pp / 20,
-        "waterlines": given.draft / 5,
-        "buttocks": given.beam / 8,
-        "diagonals": DIAGONALS,
-        "draft": given.draft,
-        "length": given.length_pp,
-        "frame_spacing": 0.6,
-        "title": data.name,
-        "title_block": [("Drawn", "N. N."), ("Date", "1 May")],
-        "particulars": [("Draft", f"{given.draft:.2f} m")],
-        "paper": "A2",
-    }
-    hn.write_lines_drawing(surface, path, **{**options, **others})
-    return path
-
-
 # --- DXF ---
-
-
-def dxf_of(hull, folder, **others):
-    pytest.importorskip("ezdxf")
-    return assert_audited(draw(hull, folder / "plan.dxf", **others))
 
 
 def test_dxf_has_a_layer_for_each_kind_and_says_its_unit(hull, tmp_path):

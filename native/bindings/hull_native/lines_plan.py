@@ -60,6 +60,7 @@ def write_lines_drawing(
     dxf_unit="m",
     tolerance=None,
     views=VIEWS,
+    lengths_in="m",
     progress=None,
 ):
     """Draw the lines plan of a LimitSurface on one sheet; path ends in .pdf, .svg, .png or .dxf.
@@ -81,8 +82,10 @@ def write_lines_drawing(
     1:10, 12.5, 20, 25, 30, 50, 75, 100, ... that fits. dxf_unit: "m" or "mm", of a DXF file, which
     is at true size. tolerance (m): how far the curves may be from the surface's; by default as far
     as the paper does not show, and 1e-6 of the hull's size for the splines of DXF. views: those of
-    VIEWS that are drawn, one at least. progress: a
-    callable that takes the share done, 0 to 1; what it raises ends the work.
+    VIEWS that are drawn, one at least. lengths_in: "m", or "ft" for a plan that tells places in
+    decimal feet and offsets in feet, inches and eighths (5-3-4+: and a sixteenth); what is given is
+    in m all the same. progress: a callable that takes the share done, 0 to 1; what it raises ends
+    the work.
 
     The file is complete, or one of the same name is untouched. Raises ValueError if nothing can be
     drawn, the plan does not fit the paper at the scale, or lines would run together; OSError if the
@@ -132,6 +135,7 @@ def write_lines_drawing(
         dxf_unit=dxf_unit,
         tolerance=tolerance,
         views=list(views),
+        lengths_in=lengths_in,
         progress=progress,
     )
 

@@ -14,6 +14,7 @@
 #include "analysis/sections/section_splines.h"
 #include "analysis/sections/sections.h"
 #include "drawing/lines_plan/hull_extents.h"
+#include "drawing/lines_plan/plan_lengths.h"
 #include "drawing/lines_plan/ship_curve.h"
 #include "drawing/lines_plan/ship_spline.h"
 #include "mesh/tolerances.h"
@@ -45,23 +46,7 @@ std::vector<double> in_order(std::vector<double> positions, const std::string& k
   return positions;
 }
 
-// The fewest decimals, from 1 to 3, that tell these numbers to half a millimetre.
-int decimals_of(const std::vector<double>& values) {
-  for (int decimals = 1; decimals < 3; ++decimals) {
-    const double unit = std::pow(10.0, -decimals);
-    const auto is_told = [unit](double value) {
-      return std::abs(std::round(value / unit) * unit - value) <= 5e-4;
-    };
-    if (std::all_of(values.begin(), values.end(), is_told)) return decimals;
-  }
-  return 3;
-}
-
-std::string metres(double value, int decimals) {
-  char text[64];
-  std::snprintf(text, sizeof text, "%.*f m", decimals, value);
-  return text;
-}
+std::string metres(double value) { return length_text(value, 3, LengthUnit::kMetre); }
 
 // How far x is from a whole number of spacings, in spacings.
 double off_grid(double x, double spacing) {
@@ -96,7 +81,7 @@ void number_stations(std::vector<NamedCurves>& stations, double spacing) {
 
 void check_spacing(const std::optional<double>& value, const std::string& name) {
   if (value && (!(*value > 0.0) || !std::isfinite(*value))) {
-    throw std::invalid_argument("The " + name + " must be above zero, not " + metres(*value, 3));
+    throw std::invalid_argument("The " + name + " must be above zero, not " + metres(*value));
   }
 }
 
@@ -135,8 +120,12 @@ ShipCurve with_points(const surface::CubicSpline& spline) {
 // The surface with what all its lines are cut by.
 class Cutter {
  public:
-  Cutter(const surface::LimitSurface& surface, double tolerance, bool splines)
-      : surface_(surface), tolerance_(tolerance), splines_(splines), size_(surface.mesh().size()) {}
+  Cutter(const surface::LimitSurface& surface, double tolerance, bool splines, LengthUnit unit)
+      : surface_(surface),
+        tolerance_(tolerance),
+        splines_(splines),
+        size_(surface.mesh().size()),
+        unit_(unit) {}
 
   double same() const { return kSamePosition * size_; }
 
@@ -167,10 +156,10 @@ class Cutter {
 
   std::vector<NamedCurves> cut_all(analysis::Axis axis,
                                    const std::vector<double>& positions) const {
-    const int decimals = decimals_of(positions);
+    const int decimals = decimals_of(positions, unit_);
     std::vector<NamedCurves> family;
     for (const double position : positions) {
-      family.push_back({position, metres(position, decimals), cut(axis, position)});
+      family.push_back({position, length_text(position, decimals, unit_), cut(axis, position)});
     }
     return family;
   }
@@ -199,6 +188,7 @@ class Cutter {
   double tolerance_;
   bool splines_;
   double size_;
+  LengthUnit unit_;
 };
 
 // The waterlines in order of their heights, with the design waterline among them.
@@ -213,8 +203,9 @@ void mark_design_waterline(const Cutter& cutter, std::vector<NamedCurves>& water
     found->label = "DWL " + found->label;
     return;
   }
-  waterlines.push_back(
-      {draft, "DWL " + metres(draft, decimals_of({draft})), cutter.cut(analysis::Axis::kZ, draft)});
+  NamedCurves own = std::move(cutter.cut_all(analysis::Axis::kZ, {draft}).front());
+  own.label = "DWL " + own.label;
+  waterlines.push_back(std::move(own));
   std::sort(waterlines.begin(), waterlines.end(),
             [](const NamedCurves& a, const NamedCurves& b) { return a.position < b.position; });
 }
@@ -225,7 +216,7 @@ std::vector<NamedDiagonal> cut_diagonals(const Cutter& cutter,
   for (const Diagonal& diagonal : diagonals) {
     if (!std::isfinite(diagonal.height) || !(diagonal.angle >= 0.0) ||
         !(diagonal.angle < 0.5 * std::numbers::pi - 1e-6)) {
-      throw std::invalid_argument("A diagonal at the height " + metres(diagonal.height, 3) +
+      throw std::invalid_argument("A diagonal at the height " + metres(diagonal.height) +
                                   " needs an angle from 0 to below 90 degrees");
     }
     std::string label = "D" + std::to_string(named.size() + 1);
@@ -291,8 +282,9 @@ LinesDrawing collect_lines(const surface::LimitSurface& surface, const LinesOpti
   if (options.frames) check_frames(*options.frames);
   const double paper = std::max(options.paper.width, options.paper.height);
   const Cutter cutter(surface, options.tolerance.value_or(kPaperTolerance / paper * size),
-                      options.splines);
+                      options.splines, options.unit);
   LinesDrawing drawing;
+  drawing.unit = options.unit;
   drawing.title = options.title;
   drawing.title_rows = options.title_rows;
   drawing.particulars = options.particulars;
@@ -309,7 +301,7 @@ LinesDrawing collect_lines(const surface::LimitSurface& surface, const LinesOpti
   const std::vector<double> waterlines = in_order(options.waterlines, "waterline", same);
   std::vector<double> buttocks = in_order(options.buttocks, "buttock", same);
   if (!buttocks.empty() && buttocks.front() < 0.0) {
-    throw std::invalid_argument("A buttock at y = " + metres(buttocks.front(), 3) +
+    throw std::invalid_argument("A buttock at y = " + metres(buttocks.front()) +
                                 " is not on the half that is drawn; give offsets from 0 up");
   }
   // The centre plane's own curve is the outline.

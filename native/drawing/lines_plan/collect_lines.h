@@ -30,6 +30,7 @@ struct LinesOptions {
   bool in_frames = false;
   bool offsets = true;  // draws the table of offsets
   PlanViews views;
+  LengthUnit unit = LengthUnit::kMetre;  // of the plan's words; all here is in metres
   std::string title;
   std::vector<Particular> title_rows, particulars;
   PaperSize paper = paper_size(Paper::kA3);

@@ -18,6 +18,7 @@
 #include "analysis/offsets/offset_table.h"
 #include "drawing/lines_plan/lines_sheet.h"
 #include "drawing/lines_plan/plan_frames.h"
+#include "drawing/lines_plan/plan_lengths.h"
 #include "drawing/lines_plan/ship_curve.h"
 #include "drawing/paper/paper.h"
 #include "dxf/dxf_file.h"
@@ -71,6 +72,7 @@ struct LinesDrawing {
   // for a buttock 0 before the others, which is the centre line.
   std::optional<analysis::OffsetTable> offsets;
   PlanViews views;
+  LengthUnit unit = LengthUnit::kMetre;  // of what is written; labels above have it
   PaperSize paper = paper_size(Paper::kA3);
   // 100 for 1:100; without it the largest usual scale that fits.
   std::optional<double> scale_denominator;

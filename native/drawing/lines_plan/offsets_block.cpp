@@ -19,7 +19,6 @@ namespace {
 
 constexpr double kCellPadding = 0.9;  // mm, left and right of a number
 constexpr char kKnuckleMark[] = "K";
-constexpr char kTitle[] = "Table of offsets, moulded, mm";
 constexpr char kLegend[] = "K on a knuckle";
 
 // The ems that the table's letters may have, mm: the largest that leave the hull its scale.
@@ -37,22 +36,16 @@ struct OffsetGroup {
   std::vector<OffsetLine> lines;
 };
 
-std::string in_millimetres(double value) {
-  return std::isnan(value) ? std::string("–") : std::to_string(std::lround(1000.0 * value));
+std::string title_of(const LinesDrawing& drawing) {
+  return "Table of offsets, moulded, " + offsets_unit(drawing.unit);
 }
 
-// "2.0 m" -> "2.0": the groups' names tell the unit.
-std::string without_unit(const std::string& label) {
-  const auto end = label.rfind(" m");
-  return end == label.npos || end + 2 != label.size() ? label : label.substr(0, end);
-}
-
-OffsetLine line_of(const std::string& head, std::size_t count,
+OffsetLine line_of(const std::string& head, std::size_t count, LengthUnit unit,
                    const std::function<analysis::Offset(std::size_t)>& offset) {
   OffsetLine line{head, {}, {}};
   for (std::size_t i = 0; i < count; ++i) {
     const analysis::Offset found = offset(i);
-    line.values.push_back(in_millimetres(found.value));
+    line.values.push_back(offset_text(found.value, unit));
     line.on_knuckle.push_back(found.on_knuckle);
   }
   return line;
@@ -61,26 +54,30 @@ OffsetLine line_of(const std::string& head, std::size_t count,
 std::vector<OffsetGroup> groups_of(const LinesDrawing& drawing) {
   const analysis::OffsetTable& table = *drawing.offsets;
   const std::size_t count = table.stations.size();
+  const LengthUnit unit = drawing.unit;
+  const auto head_of = [unit](const NamedCurves& line) { return without_unit(line.label, unit); };
   std::vector<OffsetGroup> groups;
-  OffsetGroup& waterlines = groups.emplace_back(OffsetGroup{"Half-breadths, WL m", {}});
+  OffsetGroup& waterlines =
+      groups.emplace_back(OffsetGroup{"Half-breadths, WL " + symbol_of(unit), {}});
   for (std::size_t j = 0; j < table.waterlines.size(); ++j) {
-    waterlines.lines.push_back(line_of(without_unit(drawing.waterlines[j].label), count,
+    waterlines.lines.push_back(line_of(head_of(drawing.waterlines[j]), count, unit,
                                        [&](std::size_t i) { return table.half_breadth(i, j); }));
   }
-  OffsetGroup& buttocks = groups.emplace_back(OffsetGroup{"Heights, buttock m", {}});
+  OffsetGroup& buttocks =
+      groups.emplace_back(OffsetGroup{"Heights, buttock " + symbol_of(unit), {}});
   // The centre line comes before the buttocks that are drawn.
   const std::size_t before = table.buttocks.size() - drawing.buttocks.size();
   for (std::size_t j = 0; j < table.buttocks.size(); ++j) {
-    const std::string head = j < before ? "CL" : without_unit(drawing.buttocks[j - before].label);
+    const std::string head = j < before ? "CL" : head_of(drawing.buttocks[j - before]);
     buttocks.lines.push_back(
-        line_of(head, count, [&](std::size_t i) { return table.height(i, j); }));
+        line_of(head, count, unit, [&](std::size_t i) { return table.height(i, j); }));
   }
   for (const analysis::FeatureOffsets& feature : table.features) {
     OffsetGroup& group = groups.emplace_back(OffsetGroup{feature.name, {}});
-    group.lines.push_back(line_of("y", count, [&](std::size_t i) {
+    group.lines.push_back(line_of("y", count, unit, [&](std::size_t i) {
       return analysis::Offset{feature.half_breadths[i], false};
     }));
-    group.lines.push_back(line_of("z", count, [&](std::size_t i) {
+    group.lines.push_back(line_of("z", count, unit, [&](std::size_t i) {
       return analysis::Offset{feature.heights[i], false};
     }));
   }
@@ -121,7 +118,7 @@ class Measures {
       group_head = std::max(group_head, width(group.name, true));
       lines += group.lines.size();
     }
-    title = width(kTitle, true) + width(kLegend) + 2.0 * size;
+    title = width(title_of(drawing), true) + width(kLegend) + 2.0 * size;
   }
 
   double size, row;
@@ -209,7 +206,7 @@ class BlockDrawer {
  private:
   void draw_title() {
     const double y = box_.min().y() + 0.4 * m_.row;
-    text(kTitle, true, {box_.min().x(), y}, Align::kLeft);
+    text(title_of(drawing_), true, {box_.min().x(), y}, Align::kLeft);
     text(kLegend, false, {box_.max().x(), y}, Align::kRight);
   }
 

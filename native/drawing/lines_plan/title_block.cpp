@@ -68,9 +68,9 @@ void draw_table(SheetBuilder& builder, const AlignedBox2d& box,
   }
 }
 
-// The length in metres of one of the bar's five parts: 1, 2 or 5 times a power of ten.
-double bar_part(double mm_per_metre) {
-  const double most = kLongestBar / 5.0 / mm_per_metre;
+// The length of one of the bar's five parts: 1, 2 or 5 times a power of ten.
+double bar_part(double mm_per_unit) {
+  const double most = kLongestBar / 5.0 / mm_per_unit;
   const double power = std::pow(10.0, std::floor(std::log10(most)));
   for (const double mantissa : {5.0, 2.0}) {
     if (mantissa * power <= most) return mantissa * power;
@@ -78,9 +78,11 @@ double bar_part(double mm_per_metre) {
   return power;
 }
 
-void draw_scale_bar(SheetBuilder& builder, const AlignedBox2d& box, double mm_per_metre) {
-  const double part = bar_part(mm_per_metre);
-  const double step = part * mm_per_metre;
+void draw_scale_bar(SheetBuilder& builder, const AlignedBox2d& box, double scale_denominator,
+                    LengthUnit unit) {
+  const double mm_per_unit = 1000.0 * metres_of(unit) / scale_denominator;
+  const double part = bar_part(mm_per_unit);
+  const double step = part * mm_per_unit;
   const Vector2d corner(box.min().x() + kPadding + 2.0, box.min().y() + 7.0);
   const double height = 1.6;
   for (int i = 0; i < 5; ++i) {
@@ -96,11 +98,11 @@ void draw_scale_bar(SheetBuilder& builder, const AlignedBox2d& box, double mm_pe
     const TextStyle style{.size = 2.4};
     const double half = 0.5 * text_size(text, style.size, false).width;
     // The unit hangs over to the right, so that the number stays above its mark.
-    const std::string shown = i == 5 ? std::string(text) + " m" : text;
+    const std::string shown = i == 5 ? std::string(text) + " " + symbol_of(unit) : text;
     const Vector2d left = corner + Vector2d(i * step - half, -2.2);
     builder.put_text(shown, style, SheetBuilder::text_box(shown, style, left, Align::kLeft));
   }
-  put(builder, "Lengths in metres", {.size = 2.4, .ink = inks::kGrey},
+  put(builder, "Lengths in " + plural_of(unit), {.size = 2.4, .ink = inks::kGrey},
       {box.max().x() - kPadding, corner.y() + 0.5 * height}, Align::kRight, 30.0);
 }
 
@@ -134,8 +136,8 @@ void draw_title_block(SheetBuilder& builder, const LinesSheet& sheet, const Line
     builder.draw(pens::kTable, {{left, end}, {right, end}});
     y = end;
   }
-  draw_scale_bar(builder, {Vector2d(left, y), Vector2d(right, bottom)},
-                 1000.0 / sheet.scale_denominator);
+  draw_scale_bar(builder, {Vector2d(left, y), Vector2d(right, bottom)}, sheet.scale_denominator,
+                 drawing.unit);
 }
 
 }  // namespace hull::drawing

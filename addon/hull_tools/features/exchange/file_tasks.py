@@ -23,9 +23,11 @@ class LinesDrawing(jobs.JobTask):
     def __init__(self, obj, scene, path):
         self.state = hull_state.up_to_date(obj, scene)
         source, scale = self.state.ship.source, units.metres_per_unit(scene)
+        shown = units.shown_in(scene)
         options = {
             "title": obj.name,
-            "particulars": title_block.particulars(obj.hull, self.state.ship.body, scale),
+            "particulars": title_block.particulars(obj.hull, self.state.ship.body, scale, shown),
+            "lengths_in": "ft" if shown.is_imperial else "m",
             **lines_plan.drawing_options(obj.hull, self.state.ship.surface, scale),
         }
         write = native.require().write_lines_drawing

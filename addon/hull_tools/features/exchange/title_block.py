@@ -7,8 +7,9 @@ from ...bridge.blender import units
 from ..flotation import afloat, hydrostatics
 
 
-def particulars(settings, body, scale):
-    """Pairs (name, value) of an Object.hull and its body; what is not given is left out."""
+def particulars(settings, body, scale, shown):
+    """Pairs (name, value) of an Object.hull and its body, in units as units.Shown has them; what is
+    not given is left out."""
     given = {
         "Length between perpendiculars": settings.length_pp,
         "Beam": settings.beam,
@@ -16,13 +17,15 @@ def particulars(settings, body, scale):
         "Draft": settings.draft,
     }
     pairs = [
-        (name, f"{units.as_typed(value) * scale:.2f} m") for name, value in given.items() if value
+        (name, shown.text(units.as_typed(value) * scale, "m", decimals=2))
+        for name, value in given.items()
+        if value
     ]
     try:
         where = replace(afloat.afloat(settings, scale), trim_m=0.0, heel=0.0)
         found = hydrostatics.described(hydrostatics.computed(body, where), where)
     except ValueError:
         return pairs  # afloat at no such draft: the drawing is good without
-    pairs.append(("Displaced volume", f"{found.displaced_volume:.1f} m³"))
-    pairs.append(("Displacement", f"{found.displacement_t:.1f} t"))
+    pairs.append(("Displaced volume", shown.text(found.displaced_volume, "m3", decimals=1)))
+    pairs.append(("Displacement", shown.text(found.displacement_t, "t", decimals=1)))
     return pairs
