@@ -8,11 +8,12 @@
                    "thrust_arm": m, "heel_deg": degrees, "open_water_efficiency": 0 to below 1,
                    "shaft_efficiency": to 1, "thruster_diameter": m, "roughness_um": µm,
                    "planing_mass_t": t, "planing_lcg": m, "wave_speed_kn": knots,
+                   "zeros": names of ZERO_INPUTS,
                    "holtrop": numbers by the names of HoltropInputs,
                    "delft": numbers by the names of DelftInputs}
 
 All may be left out; lengths and areas of 0 are not given, and none of the numbers in place of what
-the hull has.
+the hull has, but those that `zeros` names.
 """
 
 from .checked_json import shown
@@ -22,6 +23,7 @@ from .ship_data import (
     HOLTROP_UNITS,
     RESISTANCE_METHODS,
     STERNS,
+    ZERO_INPUTS,
     DelftInputs,
     HoltropInputs,
     Resistance,
@@ -61,19 +63,23 @@ _OF_UNITS = {
 
 def parsed(check, content):
     """The Resistance of a hull file's content; raises HullFileError."""
-    known = ("method", "speeds_kn", "stern", "twin_screw", *_NUMBERS, *_INPUTS)
+    known = ("method", "speeds_kn", "stern", "twin_screw", "zeros", *_NUMBERS, *_INPUTS)
     entries = check.object(content.get(KEY, {}), KEY, known)
     found = Resistance()
     for name, bounds in _NUMBERS.items():
         value = entries.get(name, getattr(found, name))
         setattr(found, name, check.number(value, f"{KEY}.{name}", *bounds))
-    found.method = _one_of(check, entries, "method", RESISTANCE_METHODS, found.method)
-    found.stern = _one_of(check, entries, "stern", STERNS, found.stern)
+    found.method = _one_of(check, found.method, entries, "method", RESISTANCE_METHODS)
+    found.stern = _one_of(check, found.stern, entries, "stern", STERNS)
     found.twin_screw = check.flag(entries.get("twin_screw", False), f"{KEY}.twin_screw")
     speeds = check.list(entries.get("speeds_kn", list(found.speeds_kn)), f"{KEY}.speeds_kn", 3)
     found.speeds_kn = tuple(
         check.number(speed, f"{KEY}.speeds_kn", 0.0, FASTEST_KN) for speed in speeds
     )
+    zeros = check.list(entries.get("zeros", []), f"{KEY}.zeros")
+    for name in zeros:
+        _checked(check, name, "zeros", ZERO_INPUTS)
+    found.zeros = tuple(name for name in ZERO_INPUTS if name in zeros)
     for name, (kind, units) in _INPUTS.items():
         setattr(found, name, _given(check, entries.get(name, {}), f"{KEY}.{name}", kind, units))
     return found
@@ -88,8 +94,11 @@ def _given(check, content, place, kind, units):
     return kind(**{name: value or None for name, value in values.items()})
 
 
-def _one_of(check, entries, name, choices, usual):
-    value = entries.get(name, usual)
+def _one_of(check, usual, entries, name, choices):
+    return _checked(check, entries.get(name, usual), name, choices)
+
+
+def _checked(check, value, name, choices):
     if isinstance(value, bool) or value not in choices:
         raise check.error(
             f"{KEY}.{name}",
@@ -111,6 +120,7 @@ def entries(data):
             "stern": int(own.stern),
             "twin_screw": bool(own.twin_screw),
             **{name: float(getattr(own, name)) for name in _NUMBERS},
+            **({"zeros": list(own.zeros)} if own.zeros else {}),
             **{name: given for name in _INPUTS if (given := _entries_of(getattr(own, name)))},
         }
     }

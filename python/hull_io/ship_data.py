@@ -200,13 +200,17 @@ DELFT_UNITS = {
     "lcf": "m",
 }
 
+# Of what is given in place of what the hull has, what may be nothing at all.
+ZERO_INPUTS = ("lcb_percent", "bulb_area", "transom_area", "deadrise_deg")
+
 
 @dataclass
 class Resistance:
     """How the resistance is reckoned: method, first, last and step of speeds in knots, and what
     only the designer knows. Lengths in m, areas in m²; 0: not given. Of chine_beam, deadrise_deg,
     planing_mass_t and planing_lcg, of Savitsky's method, 0 is what the hull has; wave_speed_kn, of
-    wave pattern and spectrum, 0: the last speed. roughness_um: of the hull, µm."""
+    wave pattern and spectrum, 0: the last speed. roughness_um: of the hull, µm. zeros: which of
+    ZERO_INPUTS are 0 where that is given as their number: none of the hull's counts."""
 
     method: str = "holtrop"
     speeds_kn: tuple = (6.0, 16.0, 1.0)
@@ -228,5 +232,6 @@ class Resistance:
     thrust_arm: float = 0.0
     heel_deg: float = 0.0
     wave_speed_kn: float = 0.0
+    zeros: tuple = ()
     holtrop: HoltropInputs = field(default_factory=HoltropInputs)
     delft: DelftInputs = field(default_factory=DelftInputs)

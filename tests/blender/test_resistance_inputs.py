@@ -77,6 +77,41 @@ def test_deadrise_is_that_of_the_hull_unless_given():
     assert heavier.measured["mass_t"] == result.measured["mass_t"]
 
 
+def test_nothing_at_all_can_be_given():
+    """No bulb, no transom and the centre amidships for Holtrop's method; a flat bottom."""
+    hull = sample("container_ship")
+    own = hull.hull.resistance
+    own.method, own.speed_from, own.speed_to = "HOLTROP", 20.0, 20.0
+    before = result_of(hull)
+    assert before.rows[0]["bulb_kN"] > 0.0 and before.measured["lcb_percent"] != 0.0
+    own.zeros = {"bulb_area", "lcb_percent"}
+    after = result_of(hull)
+    ship = native().holtrop_ship(
+        state_of(hull).ship.body, **position_of(before), bulb_area=0.0, lcb_percent=0.0
+    )
+    density = before.given.where.water_density
+    (wanted,) = native().holtrop(ship, before.given.speeds, water_density=density)
+    assert after.rows[0]["bulb_kN"] == 0.0
+    assert after.rows[0]["total_kN"] == pytest.approx(wanted.total, rel=1e-5)
+    own.holtrop.bulb_area = 12.0  # a number counts, whatever was pressed before
+    assert result_of(hull).rows[0]["bulb_kN"] > 0.0
+
+    boat, own = planing()
+    own.deadrise, own.zeros = 0.0, {"deadrise_deg"}
+    flat = result_of(boat)
+    assert dict(flat.given.given)["deadrise_deg"] == 0.0 and flat.measured["deadrise_deg"] > 5.0
+
+
+def test_zeros_are_in_hull_files(tmp_path):
+    hull, own = coaster()
+    own.zeros = {"transom_area", "bulb_area"}
+    path = tmp_path / "coaster.hull.json"
+    bpy.ops.hull.export_hull(filepath=str(path))
+    bpy.ops.hull.import_hull(filepath=str(path))
+    read = bpy.context.object
+    assert read != hull and read.hull.resistance.zeros == {"transom_area", "bulb_area"}
+
+
 def test_delivered_power_stands_beside_the_effective(tmp_path):
     hull, own = coaster()
     own.propeller_diameter = 3.6

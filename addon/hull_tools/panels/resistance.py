@@ -138,8 +138,8 @@ class HULL_PT_resistance_inputs(HullPanel, bpy.types.Panel):
         column = layout.column(align=True)
         _draw_columns(column, "", "Given", "Hull")
         for place, name, unit in rows:
-            _draw_input(column, context, own, place, measured.get(name), unit)
-        label_wrapped(layout, context, "0: what the hull has")
+            _draw_input(column, context, own, place, name, measured.get(name), unit)
+        label_wrapped(layout, context, "0: what the hull has, but where = 0 is pressed")
 
 
 def _draw_columns(column, name, given, hull):
@@ -154,12 +154,16 @@ def _draw_columns(column, name, given, hull):
     return places
 
 
-def _draw_input(column, context, own, place, value, unit):
+def _draw_input(column, context, own, place, input_name, value, unit):
     group, _, name = place.rpartition(".")
     settings = getattr(own, group) if group else own
     field, right = _draw_columns(column, settings.bl_rna.properties[name].name, "", "")
     field.prop(settings, name, text="")
-    right.active = not getattr(settings, name)
+    is_given = bool(getattr(settings, name))
+    if input_name in ship_data.ZERO_INPUTS and not is_given:
+        field.prop_enum(own, "zeros", input_name, text="= 0")
+        is_given = input_name in own.zeros
+    right.active = not is_given
     right.label(text=_measured(context.scene, value, unit))
 
 

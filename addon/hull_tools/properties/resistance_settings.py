@@ -157,6 +157,18 @@ class HullResistance(bpy.types.PropertyGroup):
     wave_speed_kn: _number(
         "Waves at kn", "Speed of wave pattern and spectrum, in knots; 0: the last speed", 0.0, 100.0
     )
+    zeros: EnumProperty(
+        name="= 0",
+        description="Counts as 0, whatever the hull has",
+        items=(
+            ("lcb_percent", "LCB", "In the middle of the waterline"),
+            ("bulb_area", "Bulb", "Without a bulb"),
+            ("transom_area", "Transom", "No transom in the water"),
+            ("deadrise_deg", "Deadrise", "A flat bottom"),
+        ),
+        options={"ENUM_FLAG"},
+        update=changed,
+    )
     holtrop: PointerProperty(type=HullHoltropInputs)
     delft: PointerProperty(type=HullDelftInputs)
 

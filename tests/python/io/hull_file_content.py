@@ -50,7 +50,8 @@ def content(**changes):
                     "items": [{"name": "mast", "mass_t": 0.5, "vcg": 6}]},
         "resistance": {"method": "savitsky", "speeds_kn": [5, 30, 2.5], "stern": -10,
                        "deadrise_deg": 18, "thrust_arm": -0.1, "twin_screw": True,
-                       "shaft_efficiency": 0.98, "holtrop": {"bulb_area": 2, "midship": 0},
+                       "shaft_efficiency": 0.98, "zeros": ["deadrise_deg", "transom_area"],
+                       "holtrop": {"bulb_area": 2, "midship": 0},
                        "delft": {"lcb": 4.5}},
         "openings": [{"name": "hatch", "position": [5, 1, 3]}],
         "wind": {

@@ -33,7 +33,8 @@ def test_a_file_is_read(read):
     assert hull.weights == hull_io.Weights(0.01, 2.7, [hull_io.Weight("mast", 0.5, vcg=6.0)])
     assert hull.resistance == hull_io.Resistance(
         "savitsky", (5.0, 30.0, 2.5), stern=-10, deadrise_deg=18.0, thrust_arm=-0.1,
-        twin_screw=True, shaft_efficiency=0.98, holtrop=hull_io.HoltropInputs(bulb_area=2.0),
+        twin_screw=True, shaft_efficiency=0.98, zeros=("transom_area", "deadrise_deg"),
+        holtrop=hull_io.HoltropInputs(bulb_area=2.0),
         delft=hull_io.DelftInputs(lcb=4.5),
     )  # fmt: skip
     assert hull.downflooding_points == [hull_io.DownfloodingPoint("hatch", (5.0, 1.0, 3.0))]

@@ -3,7 +3,14 @@
 
 from math import degrees, radians
 
-from ....hull_io.ship_data import DELFT_UNITS, HOLTROP_UNITS, DelftInputs, HoltropInputs, Resistance
+from ....hull_io.ship_data import (
+    DELFT_UNITS,
+    HOLTROP_UNITS,
+    ZERO_INPUTS,
+    DelftInputs,
+    HoltropInputs,
+    Resistance,
+)
 from ...bridge.blender.units import as_stored, as_typed
 
 _SPEEDS = ("speed_from", "speed_to", "speed_step")
@@ -25,7 +32,7 @@ _INPUTS = {"holtrop": (HoltropInputs, HOLTROP_UNITS), "delft": (DelftInputs, DEL
 def give(settings, own, scale):
     """To an Object.hull.resistance; scale: metres of Blender's unit."""
     settings.method, settings.stern = own.method.upper(), str(own.stern)
-    settings.twin_screw = own.twin_screw
+    settings.twin_screw, settings.zeros = own.twin_screw, set(own.zeros)
     for name, speed in zip(_SPEEDS, own.speeds_kn):
         setattr(settings, name, speed)
     for name in _NUMBERS:
@@ -53,6 +60,7 @@ def taken(settings, metres):
         speeds_kn=tuple(as_stored(getattr(settings, name)) for name in _SPEEDS),
         stern=int(settings.stern),
         twin_screw=settings.twin_screw,
+        zeros=tuple(name for name in ZERO_INPUTS if name in settings.zeros),
         **{f"{name}_deg": as_typed(degrees(getattr(settings, name))) for name in _ANGLES},
         **{name: as_stored(getattr(settings, name)) for name in _NUMBERS},
         **{name: metres(getattr(settings, name)) for name in _LENGTHS},

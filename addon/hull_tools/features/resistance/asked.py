@@ -150,7 +150,7 @@ def given(own, method, metres_per_unit):
         values = resistance_data.given(own, method.lower(), metres)
     else:
         values = {}
-    return tuple((name, value) for name, value in values.items() if value)
+    return tuple((name, value) for name, value in values.items() if value or name in own.zeros)
 
 
 def _beside(settings, metres_per_unit, own):
