@@ -49,6 +49,45 @@ def test_table_of_the_paper():
     assert found[0][1] < 0.0 < found[1][1] < found[2][1]
 
 
+def test_each_item_of_the_table_follows_from_those_above_it():
+    """With λ and Vm as the paper read them off its charts all else is as printed: within half a
+    unit of the last digit and what the rounding of λ, Vm and CF leaves open. Its Df has ρ = 2.0
+    slug/ft³, and its D takes cos τ for 1."""
+    readings = [
+        {"wetted_length_ratio": row[1], "bottom_speed": row[2] * FOOT,
+         "pressure_place": (29.0 - row[6]) / (row[1] * 14.0)} for row in TABLE
+    ]  # fmt: skip
+    trims = [row[0] for row in TABLE]
+    dense = {**WATER, "water_density": 2.0 * 515.378818e-3}
+    found = hn.planing_at_trims(BOAT, SPEED, trims, readings=readings, **dense)
+    moments = []
+    for (result, moment), (trim, ratio, speed, friction, df, total, arm) in zip(found, TABLE):
+        assert result.wetted_length_ratio == ratio
+        assert result.friction_coefficient == pytest.approx(friction, abs=5e-6 + 1e-6)
+        rounding = 0.005 / ratio + 2.0 * 0.05 / speed + 5e-6 / friction
+        assert result.friction / POUND_FORCE == pytest.approx(df, abs=5.0 + rounding * df)
+        level = math.cos(math.radians(trim))
+        flat = result.pressure + result.friction
+        assert flat / POUND_FORCE == pytest.approx(total, abs=5.0 + rounding * df + 8.0)
+        assert result.total == pytest.approx(result.pressure + result.friction / level, rel=1e-14)
+        assert result.pressure_arm / FOOT == pytest.approx(arm, abs=1e-12)
+        moments.append(moment)
+    # The paper interpolates: the moment is none at 2.3°, where the drag is 9,095 lb or so.
+    trim = np.interp(0.0, moments, trims)
+    assert trim == pytest.approx(2.3, abs=0.05)
+    drag = np.interp(trim, trims, [result.total / POUND_FORCE for result, _ in found])
+    assert drag == pytest.approx(9095.0, rel=0.005)
+
+
+def test_readings_are_checked():
+    with pytest.raises(ValueError, match="give one each"):
+        hn.planing_at_trims(BOAT, SPEED, [2.0], readings=[], **WATER)
+    with pytest.raises(ValueError, match="A reading is one of"):
+        hn.planing_at_trims(BOAT, SPEED, [2.0], readings=[{"lambda": 3.0}], **WATER)
+    with pytest.raises(ValueError, match="bottom_speed must be a number above zero"):
+        hn.planing_at_trims(BOAT, SPEED, [2.0], readings=[{"bottom_speed": 0.0}], **WATER)
+
+
 def test_equilibrium_of_the_paper():
     result = hn.savitsky(BOAT, [SPEED], **WATER)[0]
     assert result.trim_deg == pytest.approx(2.3, abs=0.05)

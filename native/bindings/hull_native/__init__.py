@@ -159,7 +159,7 @@ _LATER = {
     "delft_table": ".resistance_table",
     "delft_yacht": ".delft_form",
     "PlaningBoat": ".planing",
-    "PlaningResult": ".planing",
+    "PlaningResult": ".planing_run",
     "attc_1947": ".planing",
     "planing_at_trims": ".planing",
     "planing_boat": ".planing",
