@@ -32,6 +32,10 @@ class Notebook:
     def prop_search(self, data, name, *where, **unused):
         self.prop(data, name)
 
+    def prop_enum(self, data, name, value, **unused):
+        assert value in data.bl_rna.properties[name].enum_items
+        self.noted.append(f"value {value}")
+
     def operator(self, idname, **unused):
         self.noted.append(f"operator {idname}")
         return SimpleNamespace()

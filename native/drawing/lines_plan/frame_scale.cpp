@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <string>
 #include <utility>
 #include <vector>
@@ -98,9 +97,7 @@ void draw_frame_scale(SheetBuilder& builder, const View& view, const GridBox& gr
   };
   put("Fr.", grid.min().x() - kColumnGap, Align::kRight);
   if (largest - least > 1e-9 * largest) return;  // it is not one
-  char apart[32];
-  std::snprintf(apart, sizeof apart, "%.6g mm", 1000.0 * least);
-  put(apart, grid.max().x() + kColumnGap, Align::kLeft);
+  put(spacing_text(least, drawing.unit), grid.max().x() + kColumnGap, Align::kLeft);
 }
 
 }  // namespace hull::drawing

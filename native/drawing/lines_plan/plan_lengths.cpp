@@ -9,7 +9,7 @@ namespace hull::drawing {
 
 namespace {
 
-constexpr double kFoot = 0.3048;
+constexpr double kFoot = 0.3048, kInch = 0.0254;
 constexpr long kSixteenths = 192;  // of an inch, in a foot
 
 std::string in_feet_inches_eighths(double metres) {
@@ -45,6 +45,16 @@ std::string length_text(double metres, int decimals, LengthUnit unit) {
   char text[64];
   std::snprintf(text, sizeof text, "%.*f", decimals, metres / metres_of(unit));
   return std::string(text) + " " + symbol_of(unit);
+}
+
+std::string spacing_text(double metres, LengthUnit unit) {
+  char text[64];
+  if (unit == LengthUnit::kMetre) {
+    std::snprintf(text, sizeof text, "%.6g mm", 1000.0 * metres);
+  } else {
+    std::snprintf(text, sizeof text, "%.6g in", metres / kInch);
+  }
+  return text;
 }
 
 std::string without_unit(const std::string& text, LengthUnit unit) {

@@ -21,6 +21,9 @@ int decimals_of(const std::vector<double>& metres, LengthUnit unit);
 // "2.0 m" of a length in metres.
 std::string length_text(double metres, int decimals, LengthUnit unit);
 
+// "600 mm", "24 in" of a spacing of frames in metres.
+std::string spacing_text(double metres, LengthUnit unit);
+
 // "2.0 m" -> "2.0".
 std::string without_unit(const std::string& text, LengthUnit unit);
 
