@@ -105,7 +105,8 @@ STAYING = frozenset(
     layers.thickness layers.density weights.thickness weights.density weights.items.name
     load_cases.with_weights load_cases.vcg_is_guess
     resistance.method resistance.speeds_kn resistance.form_factor
-    resistance.stern resistance.appendage_factor resistance.twin_screw resistance.deadrise_deg
+    resistance.stern resistance.appendage_factor resistance.twin_screw resistance.zeros
+    resistance.deadrise_deg
     resistance.shaft_angle_deg resistance.heel_deg resistance.open_water_efficiency
     resistance.shaft_efficiency resistance.roughness_um resistance.wave_speed_kn
     resistance.holtrop.lcb_percent resistance.holtrop.midship resistance.holtrop.waterplane

@@ -79,6 +79,10 @@ class Measuring:
             _icon_width(icon)
             self._add(_ICON, "")
 
+    def prop_enum(self, data, name, value, text=None, icon="NONE", **unused):
+        item = data.bl_rna.properties[name].enum_items[value]
+        self._button(item.name if text is None else text, icon)
+
     def operator(self, idname, text=None, icon="NONE", **unused):
         group, name = idname.split(".")
         rna = getattr(getattr(bpy.ops, group), name).get_rna_type()

@@ -34,7 +34,7 @@ class Notebook:
 
     def prop_enum(self, data, name, value, **unused):
         assert value in data.bl_rna.properties[name].enum_items
-        self.noted.append(f"value {value}")
+        self.prop(data, name)
 
     def operator(self, idname, **unused):
         self.noted.append(f"operator {idname}")

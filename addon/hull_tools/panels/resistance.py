@@ -139,7 +139,13 @@ class HULL_PT_resistance_inputs(HullPanel, bpy.types.Panel):
         _draw_columns(column, "", "Given", "Hull")
         for place, name, unit in rows:
             _draw_input(column, context, own, place, name, measured.get(name), unit)
-        label_wrapped(layout, context, "0: what the hull has, but where = 0 is pressed")
+        label_wrapped(layout, context, "0: what the hull has")
+        zeros = [name for _, name, _ in rows if name in ship_data.ZERO_INPUTS]
+        if zeros:
+            layout.label(text="Count as 0:")
+            row = layout.row(align=True)
+            for name in zeros:
+                row.prop_enum(own, "zeros", name)
 
 
 def _draw_columns(column, name, given, hull):
@@ -159,11 +165,7 @@ def _draw_input(column, context, own, place, input_name, value, unit):
     settings = getattr(own, group) if group else own
     field, right = _draw_columns(column, settings.bl_rna.properties[name].name, "", "")
     field.prop(settings, name, text="")
-    is_given = bool(getattr(settings, name))
-    if input_name in ship_data.ZERO_INPUTS and not is_given:
-        field.prop_enum(own, "zeros", input_name, text="= 0")
-        is_given = input_name in own.zeros
-    right.active = not is_given
+    right.active = not (getattr(settings, name) or input_name in own.zeros)
     right.label(text=_measured(context.scene, value, unit))
 
 

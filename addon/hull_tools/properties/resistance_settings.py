@@ -158,8 +158,8 @@ class HullResistance(bpy.types.PropertyGroup):
         "Waves at kn", "Speed of wave pattern and spectrum, in knots; 0: the last speed", 0.0, 100.0
     )
     zeros: EnumProperty(
-        name="= 0",
-        description="Counts as 0, whatever the hull has",
+        name="Count as 0",
+        description="Counts as 0 where no number is given, whatever the hull has",
         items=(
             ("lcb_percent", "LCB", "In the middle of the waterline"),
             ("bulb_area", "Bulb", "Without a bulb"),
