@@ -208,6 +208,22 @@ def test_a_problem_that_is_gone_is_refused():
         bpy.ops.hull.select_problem(index=0)
 
 
+def test_a_problem_of_a_hull_that_cannot_be_seen_is_not_selected():
+    """Its surface is at hand: the hull is hidden, or out of the view layer."""
+    hull = three_faced_edge()
+    hull_state = part("features.hull.hull_state")
+    hull_state.refresh(hull, bpy.context.scene)
+    make_active(part("bridge.objects.shown_objects").surface_of(hull))
+    hull.hide_set(True)
+    with pytest.raises(RuntimeError, match="cannot be edited here: it is hidden"):
+        bpy.ops.hull.select_problem(index=0)
+    hull.hide_set(False)
+    for collection in hull.users_collection:
+        collection.objects.unlink(hull)
+    with pytest.raises(RuntimeError, match="or not in this view layer"):
+        bpy.ops.hull.select_problem(index=0)
+
+
 def test_a_fractional_crease_is_a_warning():
     hull = add_hull()
     bm = bmesh.new()

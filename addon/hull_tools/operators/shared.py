@@ -124,8 +124,14 @@ def suit_views(context):
 
 
 def enter_edit_mode(context, hull):
+    """ValueError where the hull of a surface that is at hand can't be seen."""
     if hull.mode == "EDIT":
         return
+    if not hull.visible_get(view_layer=context.view_layer):
+        raise ValueError(
+            f'"{hull.name}" cannot be edited here: it is hidden, or not in this view layer; '
+            "show it in the outliner first"
+        )
     if context.mode != "OBJECT":
         bpy.ops.object.mode_set(mode="OBJECT")
     context.view_layer.objects.active = hull
