@@ -52,6 +52,11 @@ def attc_1947(reynolds_number):
     return root**2
 
 
+def _rough(line, allowance):
+    """A friction line with a roughness allowance."""
+    return lambda reynolds: line(reynolds) + allowance
+
+
 _LINES = {"attc": attc_1947, "ittc": ittc_1957}
 
 
@@ -84,10 +89,7 @@ def savitsky(
         if not (value > 0.0 and math.isfinite(value)):
             raise ValueError(f"{name} must be a number above zero, not {value}.")
     line = _LINES[friction_line]
-
-    def friction(reynolds):
-        return line(reynolds) + roughness_allowance
-
+    friction = _rough(line, roughness_allowance)
     results = []
     for speed in map(float, speeds):
         if not (speed > 0.0 and math.isfinite(speed)):
@@ -122,10 +124,7 @@ def planing_at_trims(boat, speed, trims_deg, *, readings=None, **how):
     gravity = how.pop("gravity", GRAVITY)
     if how:
         raise TypeError(f"Unknown arguments: {sorted(how)}.")
-
-    def friction(reynolds):
-        return attc_1947(reynolds) + allowance
-
+    friction = _rough(attc_1947, allowance)
     found = []
     for trim, reading in zip(trims_deg, readings):
         run = PlaningRun(boat, speed, density, viscosity, gravity, friction, reading)
