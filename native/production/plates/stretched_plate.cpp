@@ -12,9 +12,9 @@ namespace hull::production {
 namespace {
 
 // Cells over the shorter side of the chart, before they are halved; and how often they may be.
-constexpr int kFirstCells = 5, kMostHalvings = 3;
+constexpr int kFirstCells = 5, kMostHalvings = 4;
 // Finer ones have no more functions than this; where the error is large, than that.
-constexpr int kMostFunctions = 6000, kMostWhereLarge = 12000;
+constexpr int kMostFunctions = 6000, kMostWhereLarge = 24000;
 // What is left after changes that become smaller at least like kSlowest is what a geometric series
 // of them has, of second order at best: once the whole is resolved, the ends of an arc are not yet,
 // and the change after next is larger than the last two foretell. Otherwise as much as the last.
