@@ -18,6 +18,16 @@ def _refresh(hulls):
                 hull_state.refresh(hull, scene)
 
 
+def _follow(changed, view_layer):
+    """Brings the hulls up to date that were looked after, and those that hang on their surface
+    objects: what handlers move, Blender moves along without telling."""
+    if not changed:
+        return
+    _refresh(changed)
+    view_layer.update()
+    _refresh(hull_state.with_other_refusal(view_layer))
+
+
 @persistent
 def after_update(scene, depsgraph):
     if unrecorded.is_undoing():
@@ -26,18 +36,28 @@ def after_update(scene, depsgraph):
     # units change; not while points move.
     if depsgraph.id_type_updated("SCENE") or depsgraph.id_type_updated("COLLECTION"):
         changed = surface_upkeep.look_after(depsgraph.view_layer)
-        _refresh({*changed, *surface_upkeep.with_new_scale(bpy.data.scenes)})
+        _refresh(surface_upkeep.with_new_scale(bpy.data.scenes))
+        _follow(changed, depsgraph.view_layer)
         surface_upkeep.follow_local_views(depsgraph)
-    for update in depsgraph.updates:
-        if update.is_updated_transform and isinstance(update.id, bpy.types.Object):
-            obj = update.id.original
-            if hull_objects.is_hull(obj) and not hull_objects.locked(obj):
-                shown_objects.put_in_place(obj)
+    _follow(
+        [obj for obj in _moved(depsgraph) if shown_objects.put_in_place(obj)], depsgraph.view_layer
+    )
+
+
+def _moved(depsgraph):
+    """The hulls of this file that an update has moved."""
+    moved = [
+        update.id.original
+        for update in depsgraph.updates
+        if update.is_updated_transform and isinstance(update.id, bpy.types.Object)
+    ]
+    return [obj for obj in moved if hull_objects.is_hull(obj) and not hull_objects.locked(obj)]
 
 
 @persistent
 def after_undo(*unused):
-    _refresh(surface_upkeep.look_after(bpy.context.view_layer))
+    view_layer = bpy.context.view_layer
+    _follow(surface_upkeep.look_after(view_layer), view_layer)
 
 
 @persistent
@@ -48,5 +68,6 @@ def before_load(*unused):
 @persistent
 def after_load(*unused):
     surface_upkeep.forget_all()
-    _refresh(surface_upkeep.look_after(bpy.context.view_layer, is_new_file=True))
+    view_layer = bpy.context.view_layer
+    _follow(surface_upkeep.look_after(view_layer, is_new_file=True), view_layer)
     surface_upkeep.with_new_scale(bpy.data.scenes)

@@ -55,17 +55,18 @@ def set_free(shown):
 
 
 def put_in_place(obj):
-    """Has the surface object stand where its hull stands, as it is shaped by the same coordinates.
+    """Has the surface object stand where its hull stands, as it is shaped by the same coordinates;
+    whether it stood elsewhere.
 
     Applying a hull's scale, for one, leaves what was in the scale to its children.
     """
     shown = surface_of(obj)
     if shown is None:
-        return
-    if shown.matrix_parent_inverse != _IDENTITY:
-        shown.matrix_parent_inverse = _IDENTITY
-    if shown.matrix_basis != _IDENTITY:
-        shown.matrix_basis = _IDENTITY
+        return False
+    if shown.matrix_parent_inverse == _IDENTITY and shown.matrix_basis == _IDENTITY:
+        return False
+    shown.matrix_parent_inverse = shown.matrix_basis = _IDENTITY
+    return True
 
 
 def _new_child(obj, data):

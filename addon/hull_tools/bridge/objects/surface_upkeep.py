@@ -89,7 +89,8 @@ def _is_hidden(obj, view_layer):
 
 
 def _tend(obj, seen, view_layer):
-    """Brings the surface object of a hull to where it belongs; whether it is a new one."""
+    """Brings the surface object of a hull to where it belongs; whether it is a new one, or stood
+    elsewhere."""
     pointed = obj.hull.surface_object
     if pointed is None or not obj.users_collection:
         return False
@@ -108,8 +109,7 @@ def _tend(obj, seen, view_layer):
             pointed.hide_set(not seen.is_hidden, view_layer=view_layer)
     if seen is None:
         _be_no_choice(pointed, view_layer)
-    shown_objects.put_in_place(obj)
-    return False
+    return shown_objects.put_in_place(obj)
 
 
 def _be_no_choice(shown, view_layer):
