@@ -238,6 +238,18 @@ def test_locks_are_where_their_points_are():
     assert counts(drawing_of(hull))["locked"] == 2 * 4
 
 
+def test_nothing_is_drawn_of_points_that_lost_all_faces():
+    hull = grid_hull()
+    bm = edit(hull)
+    select(hull, "vertex", [at(1, 1), at(2, 2)])
+    bpy.ops.hull.lock_points()
+    bpy.ops.hull.keep_points(plane="STATION")
+    bmesh.ops.delete(bm, geom=bm.edges[:], context="EDGES_FACES")
+    bmesh.update_edit_mesh(hull.data)
+    bpy.context.view_layer.update()
+    assert not counts(drawing_of(hull))
+
+
 def test_kept_points_have_strokes_as_their_planes_run_in_the_body_plan(arrays):
     hull = grid_hull()
     edit(hull)

@@ -118,6 +118,8 @@ def tied_points_of(obj, tags):
 
 def _control_points(vertices, tags):
     """Of Blender's vertices, (k,) their control points; -1 for those that the shell has not."""
+    if not len(tags.vertex_ids):
+        return np.full(len(vertices), -1)
     places = np.searchsorted(tags.vertex_ids, vertices)
     places[places == len(tags.vertex_ids)] = 0
     return np.where(tags.vertex_ids[places] == vertices, places, -1)
