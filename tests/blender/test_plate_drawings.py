@@ -63,7 +63,7 @@ def outline_places(path):
 
 
 def test_what_was_laid_out_is_written_without_doing_it_again(tmp_path, monkeypatch):
-    hull = plated("planing_boat", 1.0, 5.0)
+    hull = plated("planing_boat", 2.0, 10.0)
     assert bpy.ops.hull.lay_out_plates() == {"FINISHED"}
     native, made = part("bridge.native").require(), []
     whole = native.plates
@@ -78,7 +78,7 @@ def test_what_was_laid_out_is_written_without_doing_it_again(tmp_path, monkeypat
     hull.hull.plates.thickness = 20.0
     assert bpy.ops.hull.lay_out_plates() == {"FINISHED"} and not made
     assert {round(row["thickness_mm"], 6) for row in report_of(hull).rows} == {20.0}
-    hull.hull.plates.rules[0].value = 0.9
+    hull.hull.plates.rules[0].value = 1.9
     assert bpy.ops.hull.lay_out_plates() == {"FINISHED"} and made
 
 
@@ -178,7 +178,7 @@ def test_waterlines_and_buttocks_are_marked_where_that_is_asked_for(tmp_path):
 
 def test_plates_have_their_layer_s_thickness():
     """Of two layers, fore and aft."""
-    hull = plated("planing_boat", 1.0, 5.0)
+    hull = plated("planing_boat", 2.0, 10.0)
     surface_of = part("features.hull.hull_state").up_to_date
     middle = 0.5 * hull.hull.length_pp
     material = bpy.data.materials.new("Thick")

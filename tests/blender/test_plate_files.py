@@ -14,7 +14,7 @@ pytestmark = pytest.mark.once
 
 @pytest.mark.parametrize(
     "ending, name, length, strake",
-    [("pdf", "coaster", 20.0, 3.0), ("dxf", "planing_boat", 5.0, 1.0)],
+    [("pdf", "planing_boat", 5.0, 1.0), ("dxf", "planing_boat", 10.0, 2.0)],
 )
 def test_drawings_of_plates(tmp_path, ending, name, length, strake):
     sample(name)
@@ -26,14 +26,14 @@ def test_drawings_of_plates(tmp_path, ending, name, length, strake):
 
 def test_a_tunnel_s_opening_is_drawn(tmp_path):
     """By its name, on the plates that it goes through."""
-    hull = sample("coaster")
-    values = {"x": 78.0, "z": 2.0, "radius": 0.7}
+    hull = sample("planing_boat")
+    values = {"x": 8.0, "z": 0.7, "radius": 0.12}
     assert bpy.ops.hull.add_appendage(kind="TUNNEL", **values) == {"FINISHED"}
     tunnel = bpy.context.view_layer.objects.active
     tunnel.name = "Thruster"
     make_active(hull)
     path = tmp_path / "plates.dxf"
-    arguments = {"plate_length": 20.0, "strake": 3.0, "frame_spacing": 0.0}
+    arguments = {"plate_length": 10.0, "strake": 2.0, "frame_spacing": 0.0}
     assert bpy.ops.hull.export_plates(filepath=str(path), **arguments) == {"FINISHED"}
     assert path.read_text().count("Thruster") >= 1
 

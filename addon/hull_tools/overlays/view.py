@@ -2,6 +2,8 @@
 """How overlays stand in the 3D view: on their hull, before its surface, in colours that can be told
 from what is behind them."""
 
+from functools import cached_property
+
 import bpy
 from mathutils import Matrix, Vector
 
@@ -29,7 +31,11 @@ class HullInView:
             self.size = lines.size_of(state.ship.surface)
         else:  # of a mesh that never was without errors
             self.size = max(hull.dimensions) * self.metres_per_unit
-        self.is_on_light = has_light_ground(context, hull)
+
+    @cached_property
+    def is_on_light(self):
+        """Whether what is drawn of the hull lies on something light; see has_light_ground."""
+        return has_light_ground(self.context, self.hull)
 
     def to_view(self, is_image=False, layer=1):
         """From the hull's metres, or those of its mirror image, to view coordinates, the nearer the
