@@ -2,6 +2,7 @@
 """Hulls that parents, constraints or points of meshes carry."""
 
 import bpy
+import pytest
 from addon_under_test import add_hull, make_active, state_of
 from mathutils import Matrix
 from test_blenders_tools import BOX, assert_shows
@@ -24,6 +25,24 @@ def test_a_hull_on_anothers_surface_follows_where_that_is_put_back():
     carrier.location.x = 1.0
     bpy.context.view_layer.update()
     assert shown.matrix_basis == Matrix() and state_of(box).status == ""
+
+
+@pytest.mark.parametrize("mode", ["XYZ", "QUATERNION", "AXIS_ANGLE"])
+def test_a_surface_turned_by_deltas_is_put_back_at_once(mode, capfd):
+    hull = add_hull()
+    shown = hull.hull.surface_object
+    shown.rotation_mode, shown.rotation_euler = mode, (0.3, 0.2, 0.1)
+    shown.delta_rotation_euler, shown.delta_scale = (1.0, 1.83, 2.73), (0.3, 1.7, -1.1)
+    shown.delta_rotation_quaternion, shown.delta_location = (0.7, 0.1, 0.2, 0.3), (1.0, 2.0, 3.0)
+    hull.location.x = 1.0
+    bpy.context.view_layer.update()
+    bpy.context.view_layer.update()
+    assert shown.matrix_basis == Matrix() and shown.matrix_world == hull.matrix_world
+    assert "Traceback" not in capfd.readouterr().err
+    hull.delta_rotation_euler = (1.0, 1.8, 2.7)
+    bpy.context.view_layer.update()
+    assert "has rotation or scale" in state_of(hull).status
+    assert "Traceback" not in capfd.readouterr().err
 
 
 def test_parents_may_move_a_hull_and_not_turn_it():

@@ -11,6 +11,10 @@ from ..bridge.objects import hull_objects, shown_objects, surface_upkeep, unreco
 from ..features.hull import hull_state
 
 
+# What a handler moves is told in turn while it is at work.
+_is_following = False
+
+
 def _refresh(hulls):
     for scene in bpy.data.scenes:
         for hull in hulls:
@@ -21,11 +25,16 @@ def _refresh(hulls):
 def _follow(changed, view_layer):
     """Brings the hulls up to date that were looked after, and those that hang on their surface
     objects: what handlers move, Blender moves along without telling."""
-    if not changed:
+    global _is_following
+    if not changed or _is_following:
         return
-    _refresh(changed)
-    view_layer.update()
-    _refresh(hull_state.with_other_refusal(view_layer))
+    _is_following = True
+    try:
+        _refresh(changed)
+        view_layer.update()
+        _refresh(hull_state.with_other_refusal(view_layer))
+    finally:
+        _is_following = False
 
 
 @persistent

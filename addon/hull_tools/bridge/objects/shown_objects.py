@@ -65,6 +65,10 @@ def put_in_place(obj):
         return False
     if shown.matrix_parent_inverse == _IDENTITY and shown.matrix_basis == _IDENTITY:
         return False
+    # What a matrix is set to is turned back by these, to rounding.
+    shown.delta_location, shown.delta_scale = (0.0, 0.0, 0.0), (1.0, 1.0, 1.0)
+    shown.delta_rotation_euler = (0.0, 0.0, 0.0)
+    shown.delta_rotation_quaternion = (1.0, 0.0, 0.0, 0.0)
     shown.matrix_parent_inverse = shown.matrix_basis = _IDENTITY
     return True
 
