@@ -87,9 +87,13 @@ py::tuple plate_cells(const OnePlate& one) {
   return py::make_tuple(to_array(cells), to_array(parts));
 }
 
-py::list flat_plate_sides(const OneFlatPlate& one) {
-  return named_sides(one.of, one.of.plate().loops.front(),
-                     production::flat_sides(one.flat, one.of.plate()).front());
+// Of the outline, and of each hole.
+py::list flat_plate_loops(const OneFlatPlate& one) {
+  auto lines = production::flat_sides(one.flat, one.of.plate());
+  py::list loops;
+  for (std::size_t k = 0; k < lines.size(); ++k)
+    loops.append(named_sides(one.of, one.of.plate().loops[k], std::move(lines[k])));
+  return loops;
 }
 
 py::list marks_of(const OneFlatPlate& one, const SurfaceCurve& curve) {
@@ -131,9 +135,16 @@ void bind_flat_plate(py::module_& module) {
           },
           "Whether it was developed without any strain; else it has the least energy of strain.")
       .def_property_readonly(
-          "sides", &flat_plate_sides,
+          "sides", [](const OneFlatPlate& one) { return py::list(flat_plate_loops(one)[0]); },
           "Of the outline, counter-clockwise: a list of pairs, the name of the curve there (\"\" "
           "on the hull's border) and points (k, 2), m.")
+      .def_property_readonly(
+          "holes",
+          [](const OneFlatPlate& one) {
+            const py::list loops = flat_plate_loops(one);
+            return py::list(loops[py::slice(1, static_cast<py::ssize_t>(loops.size()), 1)]);
+          },
+          "Sides of each hole, as sides, but clockwise.")
       .def_property_readonly(
           "area", [](const OneFlatPlate& one) { return one.flat.area; }, "m².")
       .def_property_readonly(
@@ -228,8 +239,8 @@ void bind_plate(py::module_& module) {
           },
           py::arg("poisson") = 0.3, py::call_guard<py::gil_scoped_release>(),
           "The FlatPlate: developed where the surface is developable, otherwise by the least "
-          "energy of strain of an elastic sheet with Poisson's ratio. ValueError for a plate with "
-          "a hole, closed around the hull or bent far round, and for a ratio outside of [0, 0.5].");
+          "energy of strain of an elastic sheet with Poisson's ratio. ValueError for a plate "
+          "closed around the hull or bent far round, and for a ratio outside of [0, 0.5].");
 }
 
 }  // namespace

@@ -6,7 +6,7 @@ import hull_native as hn
 import numpy as np
 import pytest
 from hull_native import surface_areas
-from plate_hulls import grid_surface, one, sphere, through
+from plate_hulls import grid_surface, sphere, through
 from plate_shells import coaster_shell
 from production_hulls import body_of
 
@@ -193,12 +193,3 @@ def test_rules_off_the_hull_have_their_sentence():
         hn.SeamRule("projected")
     with pytest.raises(ValueError, match="There are no seams by"):
         hn.SeamRule("magic", 1.0)
-
-
-def test_a_plate_all_around_is_refused():
-    """A ball but for a small hole at its pole can't be laid out."""
-    surface = sphere()
-    seam = one(hn.HullCurves(surface, 1e-3).in_plane(hn.plane_across("z", 9.9)))
-    around = max(hn.plates(surface, [seam], size=0.5), key=lambda p: p.area)
-    with pytest.raises(ValueError, match="has a hole"):
-        around.flat()

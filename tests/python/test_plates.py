@@ -218,14 +218,6 @@ def test_bad_input_has_its_sentence():
         hn.plates(surface, [])[0].flat(0.7)
 
 
-def test_a_plate_with_a_hole_is_not_laid_out():
-    surface = sphere()
-    seam = in_plane(hn.HullCurves(surface, 1e-3), "z", 9.8)
-    around = max(hn.plates(surface, seam, size=0.5), key=lambda p: p.area)
-    with pytest.raises(ValueError, match="has a hole"):
-        around.flat()
-
-
 def test_progress_may_end_the_work():
     class Stopped(Exception):
         pass

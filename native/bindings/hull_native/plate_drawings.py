@@ -77,6 +77,9 @@ def plate_drawing(one, *, marks=(), words=1.0):
     for name, line in flat.sides:
         drawing.add_line("OUTLINE", 1000.0 * line)
         _put_side_words(drawing, name, line, inner, words)
+    for name, line in (side for hole in flat.holes for side in hole):
+        drawing.add_line("OUTLINE", 1000.0 * line)
+        _put_side_words(drawing, name, line, line.mean(axis=0), words)
     for layer, curve in marks:
         for line, _ in flat.marks(curve):
             drawing.add_line(layer, 1000.0 * line)
@@ -129,7 +132,7 @@ def stretch_drawing(one):
     if flat.developed:
         raise ValueError(f"Plate {one.name} was developed: it has no stretch to be drawn.")
     drawing = ShopDrawing(f"Plate {one.name}: stretch of area, ‰", [("Seen from", "outside")])
-    for _, line in flat.sides:
+    for _, line in [*flat.sides, *(side for hole in flat.holes for side in hole)]:
         drawing.add_line("OUTLINE", 1000.0 * line)
     at_nodes = _at_nodes(flat)
     low, high = np.nanmin(at_nodes), np.nanmax(at_nodes)

@@ -41,8 +41,9 @@ class ListedPlate:
 
     @property
     def outline(self):
-        """Lines (k, 2) of the flat plate's sides, m, seen from the water."""
-        lines = [line for _, line in self.flat.sides]
+        """Lines (k, 2) of the flat plate's sides and its holes', m, seen from the water."""
+        loops = [self.flat.sides, *self.flat.holes]
+        lines = [line for loop in loops for _, line in loop]
         if not self.is_turned:
             return lines
         return [line * [-1.0, 1.0] + [self.extents[0], 0.0] for line in lines]

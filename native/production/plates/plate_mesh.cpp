@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <unordered_map>
 
 namespace hull::production {
 
@@ -60,6 +61,46 @@ std::vector<Eigen::Matrix3d> parts_of_triangle(int k) {
   return parts;
 }
 
+// The turning of a loop on the surface, rad: -2π around a hole in a plane, none around a cylinder.
+double turning(const PlateMesh& mesh, const std::vector<PlateSide>& loop) {
+  std::vector<int> line;
+  for (const PlateSide& side : loop)
+    line.insert(line.end(), side.points.begin(), side.points.end() - 1);
+  std::unordered_map<int, Vector3d> normals;
+  for (const int point : line) normals.try_emplace(point, Vector3d::Zero());
+  for (const PlateMesh::Element& element : mesh.elements) {
+    const ShellTriangle& t = mesh.triangle(element);
+    for (int k = 0; k < 3; ++k) {
+      const auto found = normals.find(t.points[k]);
+      if (found == normals.end()) continue;
+      found->second = mesh.shell->surface.normal(t.cell, t.uv[k].x(), t.uv[k].y());
+    }
+  }
+  const auto& points = mesh.shell->mesh.points;
+  const std::size_t n = line.size();
+  double sum = 0.0;
+  for (std::size_t i = 0; i < n; ++i) {
+    const Vector3d& at = points[line[i]];
+    const Vector3d before = at - points[line[(i + n - 1) % n]],
+                   after = points[line[(i + 1) % n]] - at;
+    sum += std::atan2(normals.at(line[i]).dot(before.cross(after)), before.dot(after));
+  }
+  return sum;
+}
+
+// Euler's formula: a disc with holes has corners - sides + triangles = 2 - loops.
+void require_disc_with_holes(const PlateMesh& mesh, const Plate& plate) {
+  const auto sides = static_cast<long>(mesh.middle_of_side.size());
+  const auto loops = static_cast<long>(plate.loops.size());
+  const long found =
+      static_cast<long>(mesh.corners.size()) - sides + static_cast<long>(mesh.elements.size());
+  bool is_one = loops > 0 && found == 2 - loops;
+  for (long k = 1; is_one && k < loops; ++k) is_one = turning(mesh, plate.loops[k]) < -M_PI;
+  if (is_one) return;
+  throw std::invalid_argument(
+      "A plate that is closed around the hull can't be laid out: divide it by seams or butts.");
+}
+
 }  // namespace
 
 PlateMesh plate_mesh(const Plating& plating, const Plate& plate) {
@@ -88,15 +129,7 @@ PlateMesh plate_mesh(const Plating& plating, const Plate& plate) {
     }
     mesh.in_cell[triangle.cell].push_back(static_cast<int>(i));
   }
-  // Euler's formula: a disc has corners - sides + triangles = 1.
-  const auto sides = static_cast<long>(mesh.middle_of_side.size());
-  if (static_cast<long>(mesh.corners.size()) - sides + static_cast<long>(mesh.elements.size()) !=
-          1 ||
-      plate.loops.size() != 1) {
-    throw std::invalid_argument(
-        "A plate that has a hole, or is closed around the hull, can't be laid out: divide it by "
-        "seams.");
-  }
+  require_disc_with_holes(mesh, plate);
   return mesh;
 }
 
