@@ -53,7 +53,9 @@ def _rule(check, value, where):
     needed = "line" if kind == "projected" else "value"
     if needed not in entry:
         raise check.error(f"{where}.{needed}", "it is missing", "add it")
-    lowest = -LARGEST_VALUE if kind in (*_PLANES, "projected") else 1e-6
+    lowest = 0.0 if kind == "openings" else 1e-6
+    if kind in (*_PLANES, "projected"):
+        lowest = -LARGEST_VALUE
     number = entry.get("value", 0.0)
     return SeamRule(
         kind,

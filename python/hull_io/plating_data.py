@@ -15,6 +15,7 @@ SEAM_KINDS = (
     "station",
     "butts",
     "projected",
+    "openings",
 )
 
 

@@ -38,6 +38,31 @@ def test_a_tunnel_s_opening_is_drawn(tmp_path):
     assert path.read_text().count("Thruster") >= 1
 
 
+def test_a_plate_is_let_in_around_a_tunnel(tmp_path):
+    hull = sample("planing_boat")
+    values = {"x": 8.0, "z": 1.3, "radius": 0.12}
+    assert bpy.ops.hull.add_appendage(kind="TUNNEL", **values) == {"FINISHED"}
+    tunnel = bpy.context.view_layer.objects.active
+    tunnel.name = "Thruster"
+    make_active(hull)
+    for kind, value in (("station", 8.0), ("openings", 0.1)):
+        bpy.ops.hull.change_plate_list(action="ADD_RULE")
+        hull.hull.plates.rules[-1].kind, hull.hull.plates.rules[-1].value = kind, value
+    assert bpy.ops.hull.lay_out_plates() == {"FINISHED"}
+    report, is_current = part("features.production.plate_files").last_plates(hull)
+    assert is_current
+    (let_in,) = (row for row in report.rows if abs(row["x_from_m"] - 7.78) < 0.01)
+    assert let_in["x_to_m"] == pytest.approx(8.22, abs=0.01)
+    path = tmp_path / "boat.hull.json"
+    assert bpy.ops.hull.export_hull(filepath=str(path)) == {"FINISHED"}
+    assert '"openings"' in path.read_text()
+    tunnel.location.x -= 1.0
+    bpy.context.view_layer.update()
+    assert bpy.ops.hull.lay_out_plates() == {"FINISHED"}
+    rows = part("features.production.plate_files").last_plates(hull)[0].rows
+    assert any(abs(row["x_from_m"] - 6.78) < 0.01 for row in rows)
+
+
 def test_the_list_has_the_hull_s_area(tmp_path):
     hull = sample("planing_boat")
     path = tmp_path / "plates.csv"

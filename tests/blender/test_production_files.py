@@ -155,7 +155,7 @@ def test_named_parts(tmp_path):
 def test_figures_of_the_model_and_of_the_panels():
     hull = add_hull()
     hull.hull.draft = 2.0
-    made = part("features.production.made_models")
+    made = part("features.production.model_figures")
     assert made.model_figures(hull) == (None, False)
     assert bpy.ops.hull.make_model() == {"FINISHED"}
     figures, is_current = made.model_figures(hull)
@@ -168,6 +168,20 @@ def test_figures_of_the_model_and_of_the_panels():
     assert is_current and dict(figures.rows)["Exact ∇"] == "80.0 m³"
     hull.hull.draft = 1.5
     assert not made.panel_figures(hull, bpy.context.scene)[1]
+
+
+def test_panels_of_a_sheet_have_no_volume_to_be_off(capfd):
+    hull = add_hull()
+    for vertex in hull.data.vertices:
+        vertex.co.y = 0.0
+    hull.data.update()
+    hull.hull.draft = 2.0
+    bpy.context.view_layer.update()
+    assert bpy.ops.hull.make_panels() == {"FINISHED"}
+    made = part("features.production.model_figures")
+    figures, _ = made.panel_figures(hull, bpy.context.scene)
+    assert dict(figures.rows)["Off ∇"] == "–"
+    assert "Warning" not in capfd.readouterr().err
 
 
 def test_cancelling_leaves_nothing(tmp_path):
@@ -228,7 +242,7 @@ def test_files_of_a_hull_with_a_keel_say_that_they_are_without(tmp_path, capfd):
         (bpy.ops.hull.make_panels, lambda models: models.panel_figures(hull, bpy.context.scene)),
     ):
         make()
-        found, is_current = figures(part("features.production.made_models"))
+        found, is_current = figures(part("features.production.model_figures"))
         assert is_current and f"Without {keel}" in found.remark
     # The exact volume beside the panels is the bare hull's.
     volume = float(dict(found.rows)["Exact ∇"].split()[0])

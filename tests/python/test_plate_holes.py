@@ -82,6 +82,31 @@ def test_a_tunnel_through_the_coaster(tmp_path):
     assert len(listed.outline) == len(listed.flat.sides) + 1
 
 
+def test_plates_are_let_in_around_openings():
+    """Where seams and butts cross, which end around it: the plate let in is whole. The hull's area
+    stays, and other plates are as they were."""
+    surface = vessels.vessel("coaster").surface
+    rules = [hn.SeamRule("waterline", 3.0), hn.SeamRule("station", 40.0)]
+    thruster = hn.cylinder((40.0, -20.0, 3.0), (40.0, 20.0, 3.0), 0.7, name="Thruster", cut=True)
+    far = hn.cylinder((40.0, -90.0, 3.0), (40.0, -80.0, 3.0), 0.7, name="Beside", cut=True)
+    before = hn.plates(surface, hn.seams_by_rules(surface, rules)[1], left_out=[])
+    for order in (1, -1):
+        around_it = [hn.SeamRule("openings", d) for d in (0.0, 0.4)][::order]
+        _, seams = hn.seams_by_rules(surface, rules + around_it, appendages=[thruster, far])
+        plates = hn.plates(surface, seams)
+        assert len(plates) == len(before) + 2
+        assert sum(p.area for p in plates) == pytest.approx(sum(p.area for p in before), rel=1e-9)
+        let_in = around(plates)
+        assert let_in.area == pytest.approx(np.pi * (1.1**2 - 0.7**2), rel=1e-3)
+        flat = let_in.flat()
+        assert flat.converged and {name for name, _ in one(flat.holes)} == {"Thruster"}
+    rule = hn.SeamRule("openings", 0.4)
+    with pytest.raises(ValueError, match="no tunnel or tube opens the shell"):
+        hn.seams_by_rules(surface, [rule], appendages=[far])
+    with pytest.raises(ValueError, match="must be 0 m or more"):
+        hn.SeamRule("openings", -0.1)
+
+
 def test_closed_around_the_hull_is_refused():
     surface = tube()
     with pytest.raises(ValueError, match="closed around the hull"):

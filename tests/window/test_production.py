@@ -18,7 +18,7 @@ def begin(window, panel, name="coaster"):
 
 
 def model_figures():
-    return part("features.production.made_models").model_figures(hull_at_hand())
+    return part("features.production.model_figures").model_figures(hull_at_hand())
 
 
 def test_a_model_is_made_from_its_panel(window):
@@ -39,7 +39,7 @@ def test_a_model_is_made_from_its_panel(window):
 
 def test_panels_are_made_from_their_panel(window):
     begin(window, "panel_mesh")
-    figures = part("features.production.made_models").panel_figures
+    figures = part("features.production.model_figures").panel_figures
     yield
     try:
         yield from type_in(window, "along", "20")

@@ -8,7 +8,7 @@ import bpy
 from bpy.props import StringProperty
 
 from ..bridge.objects import hull_objects
-from ..features.production import made_models, production_files
+from ..features.production import made_models, model_figures, production_files
 from ..properties import production_settings as settings
 from .export_hull import formats
 from .export_numbers import ExportWithNumbers
@@ -149,7 +149,7 @@ class HULL_OT_make_model(bpy.types.Operator, TaskOperator):
     bl_label = "Make Model"
 
     def begin(self, hull, scene):
-        return made_models.ModelMaking(hull, scene)
+        return model_figures.ModelMaking(hull, scene)
 
     def outcome(self, result, scene):
         return _with_remark(f"Model: {result.told()}", result.remark())
@@ -162,7 +162,7 @@ class HULL_OT_make_panels(bpy.types.Operator, TaskOperator):
     bl_label = "Make Panels"
 
     def begin(self, hull, scene):
-        return made_models.PanelMaking(hull, scene)
+        return model_figures.PanelMaking(hull, scene)
 
     def outcome(self, result, scene):
         return _with_remark(f"Panels: {result.told()}", result.remark)

@@ -4,7 +4,7 @@
 import bpy
 
 from ..bridge.objects import hull_objects
-from ..features.production import made_models
+from ..features.production import model_figures
 from ..properties.shared import field_or
 from .conversion import draw_task
 from .shared import HullPanel, label_value, label_wrapped
@@ -35,7 +35,7 @@ class HULL_PT_model(HullPanel, bpy.types.Panel):
             row = layout.row(align=True)
             row.operator("hull.make_model", text="Make", icon="MESH_ICOSPHERE")
             row.operator("hull.export_model", text="Export", icon="EXPORT")
-        _draw_figures(layout, context, *made_models.model_figures(hull))
+        _draw_figures(layout, context, *model_figures.model_figures(hull))
 
 
 class HULL_PT_panel_mesh(HullPanel, bpy.types.Panel):
@@ -56,7 +56,7 @@ class HULL_PT_panel_mesh(HullPanel, bpy.types.Panel):
             row.operator("hull.make_panels", text="Make", icon="MESH_GRID")
             row.operator("hull.export_panels", text="Export", icon="EXPORT")
         try:
-            figures = made_models.panel_figures(hull, context.scene)
+            figures = model_figures.panel_figures(hull, context.scene)
         except ValueError as error:
             label_wrapped(layout, context, str(error), "ERROR")
         else:

@@ -22,6 +22,7 @@ _RULES = (
     ("station", "Station", "A butt all around, in a plane across the ship"),
     ("butts", "Butts", "Staggered butts so far apart, those of neighbouring strakes by half of it"),
     ("projected", "Projected", "A seam by a mesh or curve object, projected across the ship"),
+    ("openings", "Openings", "A seam around each tunnel or tube, at a distance; others end there"),
 )
 
 

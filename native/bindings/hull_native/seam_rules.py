@@ -9,6 +9,7 @@ import numpy as np
 from ._core import plane_across
 from ._production import HullCurves
 from .knuckle_ends import closing_butts
+from .plate_openings import opening_seams, openings_of, without_parts_inside
 from .strakes import MOST_BUTTS, MOST_STRAKES, DeckEdges, girth_rows, is_central, staggered_butts
 
 # What a rule makes, and what its number is.
@@ -21,6 +22,7 @@ KINDS = {
     "station": "a butt all around at a place along the ship",
     "butts": "butts so far apart, staggered from strake to strake",
     "projected": "a seam by a line projected across the ship",
+    "openings": "a seam around each opening at a distance",
 }
 _PLANES = {"waterline": "z", "buttock": "y", "station": "x"}
 _SHORTEST_BUTT = 0.05  # m
@@ -39,7 +41,9 @@ class SeamRule:
             raise ValueError(f'There are no seams by "{self.kind}", but by {", ".join(KINDS)}.')
         if not isfinite(self.value):
             raise ValueError(f"The number of {self} must be a length in m.")
-        if self.kind not in (*_PLANES, "projected") and self.value <= 0.0:
+        if self.kind == "openings" and self.value < 0.0:
+            raise ValueError(f"The number of {self} must be 0 m or more.")
+        if self.kind not in (*_PLANES, "projected", "openings") and self.value <= 0.0:
             raise ValueError(f"The number of {self} must be above 0 m.")
         if self.kind == "projected" and (self.line is None or np.shape(self.line)[-1:] != (3,)):
             raise ValueError(f"For {self} give a line of points.")
@@ -49,24 +53,36 @@ class SeamRule:
         return f'the rule "{KINDS[self.kind]}{number}"'
 
 
-def seams_by_rules(surface, rules, *, knuckles=True, tolerance=None):
+def seams_by_rules(surface, rules, *, knuckles=True, tolerance=None, appendages=()):
     """(HullCurves, list of SurfaceCurve): the seams and butts of half a hull by SeamRules, for
     plates(). knuckles: seams along these, too, and a butt across each that fades out in the shell.
-    Butts end on seams.
+    Butts end on seams. appendages: Appendages, the cylinders among which make openings; seams
+    around these interrupt all others but those along knuckles.
 
     ValueError, naming the rule, where one meets nothing of the hull or makes too many seams.
     """
     rules = list(rules)
     curves = HullCurves(surface, tolerance)
-    seams = [*curves.knuckles()] if knuckles else []
+    along_knuckles = [*curves.knuckles()] if knuckles else []
+    seams = [*along_knuckles]
     for rule in rules:
-        if rule.kind not in ("butts", "strakes"):
+        if rule.kind not in ("butts", "strakes", "openings"):
             seams += _one(curves, rule)
         elif rule.kind == "strakes":
             seams += _strakes(curves, rule)
     butts = [b for rule in rules if rule.kind == "butts" for b in _butts(curves, seams, rule)]
     closing = closing_butts(surface, curves, seams) if knuckles else []
-    return curves, seams + butts + closing
+    others, around = seams[len(along_knuckles) :] + butts, []
+    for rule in (rule for rule in rules if rule.kind == "openings"):
+        openings = openings_of(appendages)
+        rings = opening_seams(curves, openings, rule.value)
+        if not rings:
+            raise ValueError(
+                f"Nothing of the hull is met by {rule}: no tunnel or tube opens the shell."
+            )
+        others = without_parts_inside(curves, others, rings, openings, rule.value)
+        around += rings
+    return curves, along_knuckles + others + around + closing
 
 
 def _one(curves, rule):

@@ -47,7 +47,12 @@ class FrameFile(jobs.JobTask):
         )
         seams = []
         if self._rules:
-            _, seams = hull_native.seams_by_rules(surface, self._rules, knuckles=self._knuckles)
+            _, seams = hull_native.seams_by_rules(
+                surface,
+                self._rules,
+                knuckles=self._knuckles,
+                appendages=self._source.appendages,
+            )
         progress(0.1)
         tree = hull_native.SurfaceTree(surface) if self._thickness > 0.0 else None
         drawings = []

@@ -1,23 +1,17 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Models of a hull, panels of its wetted part and its surface in parts, as Object.hull.model and
-panel_mesh ask for them: made in threads, and the figures of the last ones."""
+"""Models of a hull and panels of its wetted part, as Object.hull.model and panel_mesh ask for them:
+made in threads."""
 
 from dataclasses import dataclass
 
-from ...bridge import limits, native
-from ...bridge.background import jobs
-from ...bridge.blender import units
+from ...bridge import limits
 from ...bridge.blender.units import as_typed
 from ...bridge.counts import counted
-from ..conversion import conversions
-from ..flotation import afloat
-from ..hull import hull_state
 from . import left_out
 
 _MILLIMETRES = 1000.0
 # Depth of a dowel's hole, of its diameter.
 _DOWEL_DEPTH = 3.0
-_MODEL, _PANELS = "model", "panels"
 
 
 @dataclass(frozen=True)
@@ -38,22 +32,6 @@ class PanelOptions:
 
     along: int
     grading: float
-
-
-@dataclass(frozen=True)
-class Figures:
-    """key: what it was made from. rows: (name, value) for the panel; remark: what is amiss."""
-
-    key: tuple
-    rows: tuple
-    remark: str = ""
-
-
-class OfHull:
-    """The last Figures of a hull, by what they are of."""
-
-    def __init__(self):
-        self.figures = {}
 
 
 def model_options(settings):
@@ -162,11 +140,17 @@ class MadePanels:
     mesh: object
     remark: str = ""
 
+    @property
+    def off(self):
+        """By how much their volume is off the exact one, as a text; of a sheet, which has none, a
+        dash."""
+        exact = self.mesh.displaced_volume
+        return f"{100.0 * (self.mesh.volumes.mean() / exact - 1.0):+.2f} %" if exact else "–"
+
     def told(self):
         """One text about them."""
-        off = self.mesh.volumes.mean() / self.mesh.displaced_volume - 1.0
         sides = "of the port half" if self.mesh.half else "of both sides"
-        return f"{len(self.mesh.panels)} panels {sides}, volume {100.0 * off:+.2f} %"
+        return f"{len(self.mesh.panels)} panels {sides}, volume {self.off}"
 
 
 def made_panels(hull_native, source, names, where, options, progress):
@@ -186,113 +170,3 @@ def made_panels(hull_native, source, names, where, options, progress):
         **where.position(),
     )
     return MadePanels(mesh, left_out.remark(names, body))
-
-
-class _Making(jobs.JobTask):
-    """Keeps Figures of `name` when it is done. Subclasses: rows(made) and remark(made)."""
-
-    def __init__(self, state, name, options, work):
-        self.state = state
-        self._name, self._key = name, _key(state, options)
-        self._job = jobs.Job(work)
-        conversions.watch(self)
-
-    def result(self):
-        made = super().result()
-        kept = self.state.of(OfHull).figures
-        kept[self._name] = Figures(self._key, self.rows(made), self.remark(made))
-        return made
-
-
-class ModelMaking(_Making):
-    """The model as it would be written, for its figures."""
-
-    text = "Making the model"
-
-    def __init__(self, obj, scene):
-        options = model_options(obj.hull.model)
-        state, hull_native = hull_state.up_to_date(obj, scene), native.require()
-        source, names = state.ship.source, left_out.names_of(obj)
-        super().__init__(
-            state,
-            _MODEL,
-            (options, names),
-            lambda progress: made_model(hull_native, source, names, options, progress),
-        )
-
-    def rows(self, made):
-        size = made.model.points.max(axis=0) - made.model.points.min(axis=0)
-        rows = [
-            ("Size mm", " × ".join(f"{one:.0f}" for one in size)),
-            ("Triangles", f"{len(made.model.triangles)}"),
-            ("Volume", f"{made.model.volume / 1000.0:.1f} cm³"),
-        ]
-        if made.hollow is not None:
-            rows.append(("Hollows", f"{made.hollow.hollows}"))
-        if made.parts is not None:
-            rows.append(("Segments", f"{len(made.parts.segments)}"))
-            if made.parts.holes:
-                rows.append(("Dowels", f"{made.parts.holes // 2}"))
-        return tuple(rows)
-
-    def remark(self, made):
-        return made.remark()
-
-
-class PanelMaking(_Making):
-    """The panels as they would be written, for their figures."""
-
-    text = "Making panels"
-
-    def __init__(self, obj, scene):
-        options = panel_options(obj.hull.panel_mesh)
-        state, hull_native = hull_state.up_to_date(obj, scene), native.require()
-        source, names = state.ship.source, left_out.names_of(obj)
-        where = afloat.afloat(obj.hull, units.metres_per_unit(scene))
-        self._shown = units.shown_in(scene)
-        super().__init__(
-            state,
-            _PANELS,
-            (options, where, names),
-            lambda progress: made_panels(hull_native, source, names, where, options, progress),
-        )
-
-    def rows(self, made):
-        mesh = made.mesh
-        off = 100.0 * (mesh.volumes / mesh.displaced_volume - 1.0)
-        return (
-            ("Panels", f"{len(mesh.panels)}"),
-            ("Sides", "Port half" if mesh.half else "Both"),
-            ("Wetted", self._shown.text(mesh.area, "m2", 1)),
-            ("Exact ∇", self._shown.text(mesh.displaced_volume, "m3", 1)),
-            ("Off ∇", f"{off.mean():+.2f} %"),
-        )
-
-    def remark(self, made):
-        return made.remark
-
-
-def _key(state, options):
-    return (state.ship.geometry_key, options)
-
-
-def _figures(obj, name, options):
-    state = hull_state.state_of(obj)
-    if state is None or state.ship.geometry_key is None:
-        return None, False
-    found = state.of(OfHull).figures.get(name)
-    is_current = found is not None and not state.status and found.key == _key(state, options)
-    return found, is_current
-
-
-def model_figures(obj):
-    """(the last Figures of a hull's model or None, whether they are of hull and settings as they
-    are)."""
-    return _figures(obj, _MODEL, (model_options(obj.hull.model), left_out.names_of(obj)))
-
-
-def panel_figures(obj, scene):
-    """The same of its panels."""
-    options = panel_options(obj.hull.panel_mesh)
-    where = afloat.afloat(obj.hull, units.metres_per_unit(scene))
-    return _figures(obj, _PANELS, (options, where, left_out.names_of(obj)))

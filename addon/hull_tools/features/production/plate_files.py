@@ -114,6 +114,8 @@ class PlateTask(jobs.JobTask):
         lines = (None if one.line is None else one.line.tobytes() for one in rules)
         kinds = ((one.kind, one.value) for one in rules)
         self._key = self._geometry, *zip(kinds, lines), self._knuckles, self._across
+        if any(one.kind == "openings" for one in rules):
+            self._key += (self.state.ship.appendages_key,)
         self._check()
         self._job = jobs.Job(self._work)
         conversions.watch(self)
@@ -142,7 +144,12 @@ class PlateTask(jobs.JobTask):
 
     def _laid_out(self, progress):
         hull_native, surface = native.require(), self._source.new_surface()
-        curves, seams = hull_native.seams_by_rules(surface, self._rules, knuckles=self._knuckles)
+        curves, seams = hull_native.seams_by_rules(
+            surface,
+            self._rules,
+            knuckles=self._knuckles,
+            appendages=self._source.appendages,
+        )
         progress(0.15)
         left_out = []
         plates = hull_native.plates(
