@@ -10,7 +10,6 @@ from bpy.app.handlers import persistent
 from ..bridge.objects import hull_objects, shown_objects, surface_upkeep, unrecorded
 from ..features.hull import hull_state
 
-
 # What a handler moves is told in turn while it is at work.
 _is_following = False
 
