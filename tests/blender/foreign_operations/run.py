@@ -22,6 +22,7 @@ TESTS = Path(__file__).resolve().parents[2]
 # Blender runs a file without its folder on the path.
 sys.path[:0] = [str(TESTS / "blender"), str(TESTS / "window")]
 
+from addon_under_test import part  # noqa: E402
 from foreign_operations import oracle  # noqa: E402
 from foreign_operations.session import Session  # noqa: E402
 from foreign_operations.view import in_view, open_sidebar  # noqa: E402
@@ -33,6 +34,8 @@ SLOW_STEP_SECONDS = 1.0  # of the processor: told in the log
 # In a window, between two steps: work for pauses is done in the longest of these.
 PAUSES_SECONDS = (0.0, 0.0, 0.0, 0.5)
 EVENT_SECONDS = 0.1
+# What is joined at the next pause has so long for it.
+LONGEST_WAIT_SECONDS = 20.0
 # With simulated events Blender never rests between two of them, but looks for the next one all the
 # time: it is put to rest so long at a time, and draws and serves other timers between.
 REST_SECONDS = 0.02
@@ -110,7 +113,7 @@ class InWindow:
 
     def __init__(self, *arguments):
         self._arguments, self._run, self._done = arguments, None, ""
-        self._rests_until = 0.0
+        self._rests_until, self._stepped_at = 0.0, 0.0
         self._chance, self._events = random.Random(arguments[0]), None
         # Drawn by the processor, smoothing takes longer than all else.
         bpy.context.preferences.system.viewport_aa = "OFF"
@@ -137,10 +140,17 @@ class InWindow:
             self._events = open_sidebar() if self._arguments[0] % 2 else []
         elif self._events:
             self._events.pop(0)()
-        else:
+        elif not (self._done and self._waits()):
             if self._done:
                 self._run.judge(self._done)
-            self._done = self._run.step()
+            self._done, self._stepped_at = self._run.step(), time.monotonic()
+
+    def _waits(self):
+        """Whether appendages are to be joined still, now that points rest."""
+        if time.monotonic() - self._stepped_at > LONGEST_WAIT_SECONDS:
+            return False
+        states = part("features.hull.hull_state").known_hulls(bpy.context.view_layer)
+        return any(state.ship.waits for _, state in states)
 
 
 def main(seed, steps, folder):
