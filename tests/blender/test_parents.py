@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Hulls that parents, constraints or points of meshes carry."""
+"""Hulls that parents, constraints or points of meshes carry, or that have no room of their own."""
 
 import bpy
 import pytest
-from addon_under_test import add_hull, make_active, state_of
+from addon_under_test import add_hull, make_active, part, state_of
 from mathutils import Matrix
 from test_blenders_tools import BOX, assert_shows
 
@@ -118,3 +118,28 @@ def test_a_hull_held_by_three_points_is_refused():
     bpy.ops.object.transform_apply(location=False)
     bpy.context.view_layer.update()
     assert not state_of(hull).status
+
+
+def test_a_hull_scaled_to_nothing_has_no_place_for_the_cursor(tmp_path):
+    """Nor for what is elsewhere: that is a sentence, with what helps."""
+    hull, words = add_hull(), '"box" is scaled to nothing in a direction: clear its scale first'
+    line = bpy.data.objects.new("line", bpy.data.curves.new("line", "CURVE"))
+    line.data.splines.new("POLY").points.add(1)
+    bpy.context.collection.objects.link(line)
+    hull.scale.y = 0.0
+    bpy.context.view_layer.update()
+    fields, plating = part("features.fields.field_list"), part("features.hull.plating_data")
+    targets, scene = part("features.fitting.fit_targets"), bpy.context.scene
+    for work in (
+        lambda: part("bridge.objects.hull_objects").from_world(hull),
+        lambda: fields.add(hull, scene),
+        lambda: targets.shape_arrays(line, hull, 1.0),
+        lambda: plating.points_of(line, hull),
+        lambda: part("bridge.objects.curve_lines").points_of(line, hull),
+    ):
+        with pytest.raises(ValueError, match=words):
+            work()
+    assert not hull.hull.fields.fields
+    hull.scale.y = 1.0
+    bpy.context.view_layer.update()
+    assert part("bridge.objects.hull_objects").from_world(hull) == Matrix()

@@ -118,7 +118,11 @@ class HULL_OT_surface_to_coordinate(bpy.types.Operator, HullOperator):
     def invoke(self, context, event):
         hull = hull_objects.hull_of(context.object)
         if not self.properties.is_property_set("place"):
-            self.place = hull.matrix_world.inverted() @ context.scene.cursor.location
+            try:
+                self.place = hull_objects.from_world(hull) @ context.scene.cursor.location
+            except ValueError as error:
+                self.report({"ERROR"}, str(error))
+                return {"CANCELLED"}
         if not self.properties.is_property_set("value"):
             self.value = self.place[AXES[self.axis]]
         return context.window_manager.invoke_props_dialog(self)

@@ -6,6 +6,8 @@ from contextlib import contextmanager
 import bpy
 import numpy as np
 
+from . import hull_objects
+
 _read = None  # by curve and object, while curves are read once
 
 
@@ -52,7 +54,7 @@ def _points_of(curve, obj):
         raise ValueError(f"{curve.name} is a single point: give its curve another one")
     if not is_line or len(points) < 2:
         raise ValueError(f"{curve.name} is no line: take off its bevel, extrusion and fill")
-    matrix = np.array(obj.matrix_world.inverted() @ curve.matrix_world, dtype=np.float64)
+    matrix = np.array(hull_objects.from_world(obj) @ curve.matrix_world, dtype=np.float64)
     return points @ matrix[:3, :3].T + matrix[:3, 3], curve.data.splines[0].use_cyclic_u
 
 

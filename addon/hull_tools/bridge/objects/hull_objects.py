@@ -124,6 +124,16 @@ def is_turned(obj):
     return _is_turned(obj.matrix_basis)
 
 
+def from_world(obj):
+    """The matrix from the world's axes to an object's. ValueError where it has no inverse."""
+    matrix = obj.matrix_world.inverted(None)
+    if matrix is None:
+        raise ValueError(
+            f'"{obj.name}" is scaled to nothing in a direction: clear its scale first (Alt S)'
+        )
+    return matrix
+
+
 def _is_turned(matrix):
     difference = np.array(matrix.to_3x3()) - np.eye(3)
     return np.abs(difference).max() > _UPRIGHT_TOLERANCE

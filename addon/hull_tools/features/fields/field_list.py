@@ -5,7 +5,7 @@ import numpy as np
 
 from ...bridge import limits
 from ...bridge.mesh import mesh_points
-from ...bridge.objects import field_faces
+from ...bridge.objects import field_faces, hull_objects
 
 # What a copy of a field has of it.
 _KEPT = """use role colour base place axis curve becomes along_surface extent falloff shift axes
@@ -26,9 +26,10 @@ def in_use(obj):
 
 
 def add(obj, scene, role="MOVE", base="POINT"):
-    """A new field, placed as place() does it, which is chosen then; returns it."""
+    """A new field, placed as put() does it, which is chosen then; returns it."""
     settings = obj.hull.fields
     limits.at_most(len(settings.fields) + 1, "fields", limits.MOST_FIELDS)
+    place = _place(obj, scene)
     field = settings.fields.add()
     number = len(settings.fields)
     field.name = f"Field {number}"
@@ -36,7 +37,7 @@ def add(obj, scene, role="MOVE", base="POINT"):
     field.colour = _COLOURS[(number - 1) % len(_COLOURS)]
     points = mesh_points.read(obj.data)
     field.extent = _EXTENT * float(np.ptp(points, axis=0).max()) if len(points) else 1.0
-    put(field, obj, scene)
+    field.place = place
     settings.active_field = number - 1
     return field
 
@@ -44,11 +45,14 @@ def add(obj, scene, role="MOVE", base="POINT"):
 def put(field, obj, scene):
     """Places a field's base at the middle of the points selected in edit mode, else at the 3D
     cursor."""
+    field.place = _place(obj, scene)
+
+
+def _place(obj, scene):
     selected = mesh_points.selected(obj.data) if obj.data.is_editmode else ()
     if len(selected):
-        field.place = mesh_points.read(obj.data, selected).mean(axis=0)
-    else:
-        field.place = obj.matrix_world.inverted() @ scene.cursor.location
+        return mesh_points.read(obj.data, selected).mean(axis=0)
+    return hull_objects.from_world(obj) @ scene.cursor.location
 
 
 def chosen(obj):

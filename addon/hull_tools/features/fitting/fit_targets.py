@@ -9,6 +9,7 @@ import numpy as np
 from mathutils import Matrix
 
 from ....hull_io import triangles as shapes
+from ...bridge.objects import hull_objects
 
 # Points along lines: no further apart than this part of the hull's length.
 _SPACING = 1.0 / 300.0
@@ -101,8 +102,8 @@ def shape_arrays(obj, hull, scale):
         mesh.loops.foreach_get("edge_index", loops)
     finally:
         shown.to_mesh_clear()
-    frame = Matrix() if hull is None else hull.matrix_world
-    matrix = np.array(frame.inverted() @ obj.matrix_world, dtype=np.float64)
+    frame = Matrix() if hull is None else hull_objects.from_world(hull)
+    matrix = np.array(frame @ obj.matrix_world, dtype=np.float64)
     points = scale * (points.astype(np.float64) @ matrix[:3, :3].T + matrix[:3, 3])
     is_loose = np.ones(len(edges), dtype=bool)
     is_loose[loops] = False

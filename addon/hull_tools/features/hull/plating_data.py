@@ -5,7 +5,7 @@ import numpy as np
 
 from ....hull_io.plating_data import FrameRange, Plating, SeamRule
 from ...bridge.blender.units import as_stored
-from ...bridge.objects import curve_lines
+from ...bridge.objects import curve_lines, hull_objects
 
 _PLAIN = (
     *("along_knuckles", "across_centre", "first_frame", "numbered_from", "in_roman"),
@@ -70,5 +70,5 @@ def points_of(line, obj):
         line.to_mesh_clear()
     if len(points) < 6:
         raise ValueError(f"{line.name} has fewer than two points to be projected")
-    matrix = np.array(obj.matrix_world.inverted() @ line.matrix_world)
+    matrix = np.array(hull_objects.from_world(obj) @ line.matrix_world)
     return points.reshape(-1, 3) @ matrix[:3, :3].T + matrix[:3, 3]

@@ -9,6 +9,7 @@ from ...bridge import native
 from ...bridge.blender import units
 from ...bridge.counts import counted_are
 from ...bridge.mesh import selection
+from ...bridge.objects import hull_objects
 from ..hull import hull_state
 
 # By the form: how the object is called, and how many chains it takes.
@@ -31,7 +32,7 @@ def make_shell(obj, scene, form, shift, count):
     if form == "STRIP":
         made = hull_native.strip_between(*curves, count)
     elif form == "CONE":
-        cursor = obj.matrix_world.inverted() @ scene.cursor.location
+        cursor = hull_objects.from_world(obj) @ scene.cursor.location
         made = hull_native.cone_to(*curves, np.array(cursor) * scale, count)
     else:
         made = hull_native.cylinder_along(*curves, np.array(shift) * scale, count)
