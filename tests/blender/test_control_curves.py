@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Control curves: named chains of edges, each with its comb and smoothing, that last."""
 
+from types import SimpleNamespace
+
 import bpy
 import numpy as np
 import pytest
@@ -37,6 +39,64 @@ def with_two():
     return hull
 
 
+def listed(hull):
+    """Names of the curves that the list in the panel shows."""
+    shows = bpy.types.HULL_UL_curves.filter_items
+    view = SimpleNamespace(filter_name="", bitflag_filter_item=1)
+    flags, _ = shows(view, bpy.context, hull.hull.fairness, "curves")
+    return [curve.name for curve, flag in zip(hull.hull.fairness.curves, flags) if flag]
+
+
+def test_curves_come_and_go_with_undo_in_edit_mode():
+    """It is of the mesh alone there."""
+    hull = with_two()
+    edges = edges_of(hull, "chine")
+    marks = part("bridge.mesh.curve_marks")
+    scene = bpy.context.scene
+    first = marks.numbered(hull.data)
+    marks.give(hull.data, line(4)[:5], 0)  # as where adding it is undone
+    assert listed(hull) == ["chine"]
+    with pytest.raises(RuntimeError, match="Choose a curve"):
+        bpy.ops.hull.select_curve()
+    assert len(part("features.hull.hull_to_data").hull_data(hull, scene).curves) == 1
+    marks.give(hull.data, line(4)[:5], 2)  # and done again
+    assert listed(hull) == ["chine", "sheer"]
+    hull.hull.fairness.active_curve = 0
+    bpy.ops.hull.remove_curve()
+    assert listed(hull) == ["sheer"] and hull.hull.fairness.active_curve == 1
+    marks.give(hull.data, line(2), 1)  # as where that is undone
+    assert listed(hull) == ["chine", "sheer"] and edges_of(hull, "chine") == edges
+    assert sorted(first[1].tolist()) == sorted(marks.numbered(hull.data)[1].tolist())
+    select(hull, "edge", line(3))
+    marks.give(hull.data, line(2), 0)
+    bpy.ops.hull.add_curve()
+    assert listed(hull) == ["sheer", "Curve 3"]  # none gets the number of one that may come back
+
+
+def test_undo_of_adding_and_removing_in_edit_mode():
+    hull = with_two()
+    bpy.ops.ed.undo_push(message="before")
+    select(hull, "edge", line(3))
+    bpy.ops.ed.undo_push(message="selected")
+    bpy.ops.hull.add_curve(name="knuckle")
+    bpy.ops.ed.undo_push(message="added")
+    hull = bpy.context.object
+    assert listed(hull) == ["chine", "sheer", "knuckle"]
+    bpy.ops.ed.undo()
+    assert listed(bpy.context.object) == ["chine", "sheer"]
+    bpy.ops.ed.redo()
+    hull = bpy.context.object
+    assert listed(hull) == ["chine", "sheer", "knuckle"]
+    hull.hull.fairness.active_curve = 1
+    bpy.ops.hull.remove_curve()
+    bpy.ops.ed.undo_push(message="removed")
+    assert listed(bpy.context.object) == ["chine", "knuckle"]
+    bpy.ops.ed.undo()
+    hull = bpy.context.object
+    assert listed(hull) == ["chine", "sheer", "knuckle"]
+    assert edges_of(hull, "sheer") == keys(line(4)[:5])
+
+
 def test_curves_have_names_switches_and_edges():
     hull = with_two()
     fairness = hull.hull.fairness
@@ -60,7 +120,7 @@ def test_curves_have_names_switches_and_edges():
     bpy.ops.hull.select_curve(extend=True)
     assert keys(selected(hull, "edge")) == keys(line(4)[:5] + line(2))
     bpy.ops.hull.remove_curve()
-    assert [curve.name for curve in fairness.curves] == ["sheer"] and shown(hull) == 2
+    assert listed(hull) == ["sheer"] and shown(hull) == 2
     bpy.ops.object.mode_set(mode="OBJECT")
     assert edges_of(hull, "sheer") == keys(line(4)[:5])
 

@@ -3,6 +3,7 @@
 
 import bpy
 
+from ..bridge.mesh import curve_marks
 from ..bridge.objects import hull_objects
 from ..features.fairing import region_fairing, row_fairing
 from ..features.hull import hull_state
@@ -32,6 +33,14 @@ class HULL_UL_curves(bpy.types.UIList):
     def draw_item(self, context, layout, data, item, icon, active_data, active_property, index):
         layout.prop(item, "is_shown", text="")
         layout.prop(item, "name", text="", emboss=False)
+
+    def filter_items(self, context, data, property):
+        entries = getattr(data, property)
+        present = curve_marks.present(data.id_data.data)
+        named = bpy.types.UI_UL_list.filter_items_by_name(
+            self.filter_name, self.bitflag_filter_item, entries
+        ) or [self.bitflag_filter_item] * len(entries)
+        return [flag if entry.number in present else 0 for flag, entry in zip(named, entries)], []
 
 
 class HULL_PT_fair_rows(HullPanel, bpy.types.Panel):
@@ -90,7 +99,7 @@ class HULL_PT_control_curves(HullPanel, bpy.types.Panel):
         chosen = draw_entries(layout, hull.hull.fairness, "curves", "active_curve", "curve")
         if context.object.mode != "EDIT":
             label_wrapped(layout, context, "In edit mode: select edges of a curve", icon="INFO")
-        elif chosen is not None:
+        elif chosen is not None and chosen.number in curve_marks.present(hull.data):
             column = layout.column(align=True)
             column.operator("hull.select_curve", text="Select", icon="RESTRICT_SELECT_OFF")
             column.operator("hull.fair_curve", text="Fair", icon="IPO_EASE_IN_OUT")

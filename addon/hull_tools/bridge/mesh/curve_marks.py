@@ -21,6 +21,11 @@ def numbered(mesh):
     return edges[numbers != 0], numbers[numbers != 0]
 
 
+def present(mesh):
+    """The numbers of the curves that edges are of, in edit mode or not."""
+    return set(_numbers(mesh).tolist()) - {0}
+
+
 def edges_of(mesh, number):
     """(k, 2) the points of a curve's edges."""
     edges, numbers = numbered(mesh)

@@ -3,6 +3,8 @@
 
 Which edges are of a curve the mesh knows (bridge.mesh.curve_marks), by the curve's number; its name
 and switch are in the list Object.hull.fairness.curves. All their edges are marked as rows, too.
+Undo in edit mode is of the mesh alone: so an entry stays where its edges go, is none of the list's
+then, and is there again when they come back.
 """
 
 import numpy as np
@@ -66,33 +68,30 @@ def chosen(obj):
     ValueError where there is none.
     """
     fairness = obj.hull.fairness
-    if not 0 <= fairness.active_curve < len(fairness.curves):
-        raise ValueError("Choose a curve of the list first, or add one")
-    return fairness.curves[fairness.active_curve]
+    if 0 <= fairness.active_curve < len(fairness.curves):
+        entry = fairness.curves[fairness.active_curve]
+        if entry.number in curve_marks.present(obj.data):
+            return entry
+    raise ValueError("Choose a curve of the list first, or add one")
 
 
 def select(context, obj, extend=False):
-    """Selects the edges of the curve that is chosen, in edit mode; returns how many.
-
-    ValueError where it has none any longer.
-    """
-    entry = chosen(obj)
-    edges = curve_marks.edges_of(obj.data, entry.number)
-    if not len(edges):
-        raise ValueError(f'"{entry.name}" has no edges any longer: remove it')
+    """Selects the edges of the curve that is chosen, in edit mode; returns how many."""
+    edges = curve_marks.edges_of(obj.data, chosen(obj).number)
     return selection.select(context, obj, "edge", edges, extend=extend, reveal=True)
 
 
 def remove(obj, scene):
-    """Takes the curve that is chosen off the list; its edges are shown no longer. Returns its
-    name."""
+    """Takes the curve that is chosen off its edges, which are shown no longer. Returns its name."""
     entry, fairness = chosen(obj), obj.hull.fairness
-    name, edges = entry.name, curve_marks.edges_of(obj.data, entry.number)
+    edges = curve_marks.edges_of(obj.data, entry.number)
     curve_marks.give(obj.data, edges, 0)
     own = {tuple(sorted(edge)) for edge in edges.tolist()}
     left = [edge for edge in row_marks.marked(obj.data).tolist() if tuple(sorted(edge)) not in own]
     row_marks.mark(obj.data, np.array(left, dtype=np.int64).reshape(-1, 2))
-    fairness.curves.remove(fairness.active_curve)
-    fairness.active_curve = max(0, min(fairness.active_curve, len(fairness.curves) - 1))
+    left = curve_marks.present(obj.data)
+    places = [place for place, other in enumerate(fairness.curves) if other.number in left]
+    last = fairness.active_curve
+    fairness.active_curve = min(places, key=lambda place: abs(place - last), default=0)
     hull_state.follow_edit(obj, scene, is_by_hand=False)
-    return name
+    return entry.name

@@ -32,4 +32,5 @@ def take_curves(obj, faces):
             entry.is_shown,
         )
         for entry in obj.hull.fairness.curves
+        if (numbers == entry.number).any()
     ]
