@@ -6,6 +6,7 @@ import resource
 import signal
 
 import bpy
+import numpy as np
 import pytest
 from addon_under_test import add_hull, make_active, part, sample
 
@@ -88,6 +89,23 @@ def test_what_ends_within_a_plate_is_left_out_and_told(tmp_path):
     ((name, length, _),) = report.left_out
     assert f"; left out for ending within a plate: {length:.2f} m of {name}" in report.text
     assert name.startswith("Seam") and 0.0 < length < 10.0
+    # Nor is it shown over the hull, or marked on frames.
+    shown = part("features.production.seam_lines").shown(hull).polylines
+    native, rules = part("bridge.native").require(), part("features.production.plate_rules")
+    layout = (
+        part("features.hull.hull_state")
+        .state_of(hull)
+        .of(part("features.production.plate_files").KeptPlates)
+        .layout
+    )
+    _, whole = native.seams_by_rules(
+        layout.surface, rules.seam_rules(hull, bpy.context.scene), knuckles=True
+    )
+    lengths = [
+        sum(np.linalg.norm(np.diff(line, axis=0), axis=1).sum() for line in lines)
+        for lines in (shown, [curve.points for curve in whole])
+    ]
+    assert lengths[1] - lengths[0] == pytest.approx(length, abs=0.01)
 
 
 def test_too_many_plates_are_one_sentence(tmp_path, monkeypatch):

@@ -120,3 +120,25 @@ def test_a_seam_around_a_sharp_stem_is_followed():
     stem = max((p.points[-1] for p in pieces[:-1]), key=lambda p: p[0])
     tree = hn.SurfaceTree(surface)
     assert tree.closest_points(stem[None]).distances[0] < 1e-9 * surface.mesh.size
+
+
+def test_used_seams_are_the_borders_of_plates():
+    """A seam that ends within a plate is left out from the last crossing on; others are whole."""
+    surface = surface_of("naval_vessel")
+    length = np.ptp(surface.mesh.points[:, 0])
+    curves, seams = hn.shell_seams(surface, strake=length / 30.0, plate_length=length / 6.0)
+    left_out = []
+    plates = hn.plates(surface, seams, left_out=left_out)
+    used = hn.used_seams(curves, seams, plates)
+    ((name, missing, _),) = left_out
+
+    def total(curves, name):
+        lines = [curve.points for curve in curves if curve.name == name]
+        return sum(np.linalg.norm(np.diff(line, axis=0), axis=1).sum() for line in lines)
+
+    assert total(used, name) == pytest.approx(total(seams, name) - missing, abs=1e-3)
+    for other in {seam.name for seam in seams} - {name}:
+        assert total(used, other) == pytest.approx(total(seams, other), rel=1e-12)
+    # The same plates follow from them, and nothing is left out.
+    again = []
+    assert len(hn.plates(surface, used, left_out=again)) == len(plates) and not again

@@ -111,6 +111,7 @@ _LATER = {
     "nesting_drawing": ".plate_drawings",
     "frame_marks": ".plate_drawings",
     "opening_marks": ".plate_openings",
+    "used_seams": ".plate_seams",
     "plane_marks": ".plate_drawings",
     "RuledShell": ".developable_shells",
     "edge_curve": ".developable_shells",

@@ -11,7 +11,7 @@ from ..conversion import conversions
 from ..exchange.endings import checked_ending
 from ..hull import hull_state
 from . import plate_marks, plate_rules
-from .plate_files import write_rows
+from .plate_files import known_layout, write_rows
 
 _NONE = "There are no frames yet: add a range under Frames"
 
@@ -36,23 +36,14 @@ class FrameFile(jobs.JobTask):
         self._numbers = _places(self._marks.table, frames, points)
         self._rules = plate_rules.seam_rules(obj, scene) if self._source.half else []
         self._knuckles = settings.along_knuckles
+        self._layout = known_layout(self.state, self._rules, settings)
         self._job = jobs.Job(self._work)
         conversions.watch(self)
 
     def _work(self, progress):
-        hull_native, surface, table = (
-            native.require(),
-            self._source.new_surface(),
-            self._marks.table,
-        )
-        seams = []
-        if self._rules:
-            _, seams = hull_native.seams_by_rules(
-                surface,
-                self._rules,
-                knuckles=self._knuckles,
-                appendages=self._source.appendages,
-            )
+        hull_native, table, layout = native.require(), self._marks.table, self._layout
+        surface = self._source.new_surface() if layout is None else layout.surface
+        seams = self._seams(surface)
         progress(0.1)
         tree = hull_native.SurfaceTree(surface) if self._thickness > 0.0 else None
         drawings = []
@@ -79,6 +70,25 @@ class FrameFile(jobs.JobTask):
             progress=lambda share: progress(0.8 + 0.2 * share),
         )
         return len(drawings)
+
+    def _seams(self, surface):
+        """Those that are borders of plates; all of them where these cannot be told."""
+        if not self._rules:
+            return []
+        if self._layout is not None:
+            return self._layout.seams
+        hull_native = native.require()
+        curves, seams = hull_native.seams_by_rules(
+            surface,
+            self._rules,
+            knuckles=self._knuckles,
+            appendages=self._source.appendages,
+        )
+        try:
+            plates = hull_native.plates(surface, seams, left_out=[])
+        except ValueError:
+            return seams
+        return hull_native.used_seams(curves, seams, plates)
 
 
 def _places(table, text, points):

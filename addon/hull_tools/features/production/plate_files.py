@@ -63,7 +63,8 @@ class PlateReport:
 @dataclass(frozen=True, eq=False)
 class Layout:
     """Plates of a hull laid out. key: what they were made from. surface; curves: HullCurves of it;
-    seams: SurfaceCurves; listed: hull_native.ListedPlates; left_out: see PlateReport."""
+    seams: SurfaceCurves, without what is left out; listed: hull_native.ListedPlates; left_out: see
+    PlateReport."""
 
     key: tuple
     surface: object
@@ -87,6 +88,23 @@ class KeptPlates:
     layout: Layout = None
 
 
+def layout_key(state, rules, settings):
+    """What the plates of a state by hull_native.SeamRules and Object.hull.plates are made from."""
+    lines = (None if one.line is None else one.line.tobytes() for one in rules)
+    kinds = ((one.kind, one.value) for one in rules)
+    key = state.ship.geometry_key, *zip(kinds, lines)
+    if any(one.kind == "openings" for one in rules):
+        key += (state.ship.appendages_key,)
+    return *key, settings.along_knuckles, settings.across_centre
+
+
+def known_layout(state, rules, settings):
+    """The Layout of plates that were laid out last, None where it is of another hull or rules."""
+    layout = state.of(KeptPlates).layout
+    is_same = layout is not None and layout.key == layout_key(state, rules, settings)
+    return layout if is_same else None
+
+
 class PlateTask(jobs.JobTask):
     """Plates of a half hull's shell by the rules of Object.hull.plates, or without any by
     strakes and plate_length, m; those that were laid out last are taken where they are of the same
@@ -105,17 +123,12 @@ class PlateTask(jobs.JobTask):
             native.require().SeamRule("strakes", strake),
             native.require().SeamRule("butts", plate_length),
         ]
-        self._rules, self._layout = rules, self.state.of(KeptPlates).layout
+        self._rules, self._layout = rules, known_layout(self.state, rules, settings)
         self._knuckles, self._across = settings.along_knuckles, settings.across_centre
         self._thickness = plate_marks.thickness_of(obj, scene, thickness)
         points = self.state.ship.surface.mesh.points
         self._marks = plate_marks.marks_of(obj, scene, points, frame_spacing)
-        self._geometry = self.state.ship.geometry_key
-        lines = (None if one.line is None else one.line.tobytes() for one in rules)
-        kinds = ((one.kind, one.value) for one in rules)
-        self._key = self._geometry, *zip(kinds, lines), self._knuckles, self._across
-        if any(one.kind == "openings" for one in rules):
-            self._key += (self.state.ship.appendages_key,)
+        self._key = layout_key(self.state, rules, settings)
         self._check()
         self._job = jobs.Job(self._work)
         conversions.watch(self)
@@ -124,7 +137,7 @@ class PlateTask(jobs.JobTask):
         """ValueError for what need not be begun."""
 
     def _work(self, progress):
-        if self._layout is None or self._layout.key != self._key:
+        if self._layout is None:
             self._layout = self._laid_out(lambda share: progress(0.9 * share))
         layout = self._layout
         plates = [one.plate for one in layout.listed]
@@ -136,7 +149,7 @@ class PlateTask(jobs.JobTask):
             native.require().plate_rows(listed),
             [one.name for one in listed if not one.flat.converged],
             sum(one.mass_t * len(one.pieces) for one in listed),
-            self._geometry,
+            self._key[0],
             tuple(_slight_knuckles(plates)),
             mixed,
             layout.left_out,
@@ -172,7 +185,8 @@ class PlateTask(jobs.JobTask):
         )
         # Knuckles go on, as slight ones that plates go over.
         told = tuple(one for one in left_out if one[0] != "knuckle")
-        return Layout(self._key, surface, curves, seams, listed, told)
+        used = hull_native.used_seams(curves, seams, plates)
+        return Layout(self._key, surface, curves, used, listed, told)
 
     def _finish(self, layout, progress):
         """What else is done with a Layout whose plates have their thickness, in the thread."""
