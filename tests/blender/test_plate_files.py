@@ -25,14 +25,20 @@ def test_drawings_of_plates(tmp_path, ending, name, length, strake):
     assert path.stat().st_size > 10000
 
 
-def test_a_tunnel_s_opening_is_drawn(tmp_path):
-    """By its name, on the plates that it goes through."""
+def with_thruster(z):
+    """(a hull, the tunnel through it)."""
     hull = sample("planing_boat")
-    values = {"x": 8.0, "z": 0.7, "radius": 0.12}
+    values = {"x": 8.0, "z": z, "radius": 0.12}
     assert bpy.ops.hull.add_appendage(kind="TUNNEL", **values) == {"FINISHED"}
     tunnel = bpy.context.view_layer.objects.active
     tunnel.name = "Thruster"
     make_active(hull)
+    return hull, tunnel
+
+
+def test_a_tunnel_s_opening_is_drawn(tmp_path):
+    """By its name, on the plates that it goes through."""
+    with_thruster(0.7)
     path = tmp_path / "plates.dxf"
     arguments = {"plate_length": 10.0, "strake": 2.0, "frame_spacing": 0.0}
     assert bpy.ops.hull.export_plates(filepath=str(path), **arguments) == {"FINISHED"}
@@ -40,12 +46,7 @@ def test_a_tunnel_s_opening_is_drawn(tmp_path):
 
 
 def test_a_plate_is_let_in_around_a_tunnel(tmp_path):
-    hull = sample("planing_boat")
-    values = {"x": 8.0, "z": 1.3, "radius": 0.12}
-    assert bpy.ops.hull.add_appendage(kind="TUNNEL", **values) == {"FINISHED"}
-    tunnel = bpy.context.view_layer.objects.active
-    tunnel.name = "Thruster"
-    make_active(hull)
+    hull, tunnel = with_thruster(1.3)
     for kind, value in (("station", 8.0), ("openings", 0.1)):
         bpy.ops.hull.change_plate_list(action="ADD_RULE")
         hull.hull.plates.rules[-1].kind, hull.hull.plates.rules[-1].value = kind, value

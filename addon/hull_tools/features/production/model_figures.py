@@ -33,12 +33,14 @@ class OfHull:
 
 
 class _Making(jobs.JobTask):
-    """Keeps Figures of `name` when it is done. Subclasses: rows(made) and remark(made)."""
+    """Keeps Figures of `name` when it is done. make: (hull_native, ShipSource, names of what is
+    left out, *options, progress) → what is made. Subclasses: rows(made) and remark(made)."""
 
-    def __init__(self, state, name, options, work):
-        self.state = state
-        self._name, self._key = name, _key(state, options)
-        self._job = jobs.Job(work)
+    def __init__(self, obj, scene, name, make, *options):
+        self.state, hull_native = hull_state.up_to_date(obj, scene), native.require()
+        source, names = self.state.ship.source, left_out.names_of(obj)
+        self._name, self._key = name, _key(self.state, (*options, names))
+        self._job = jobs.Job(lambda progress: make(hull_native, source, names, *options, progress))
         conversions.watch(self)
 
     def result(self):
@@ -54,15 +56,7 @@ class ModelMaking(_Making):
     text = "Making the model"
 
     def __init__(self, obj, scene):
-        options = model_options(obj.hull.model)
-        state, hull_native = hull_state.up_to_date(obj, scene), native.require()
-        source, names = state.ship.source, left_out.names_of(obj)
-        super().__init__(
-            state,
-            _MODEL,
-            (options, names),
-            lambda progress: made_model(hull_native, source, names, options, progress),
-        )
+        super().__init__(obj, scene, _MODEL, made_model, model_options(obj.hull.model))
 
     def rows(self, made):
         size = made.model.points.max(axis=0) - made.model.points.min(axis=0)
@@ -89,17 +83,10 @@ class PanelMaking(_Making):
     text = "Making panels"
 
     def __init__(self, obj, scene):
-        options = panel_options(obj.hull.panel_mesh)
-        state, hull_native = hull_state.up_to_date(obj, scene), native.require()
-        source, names = state.ship.source, left_out.names_of(obj)
         where = afloat.afloat(obj.hull, units.metres_per_unit(scene))
         self._shown = units.shown_in(scene)
-        super().__init__(
-            state,
-            _PANELS,
-            (options, where, names),
-            lambda progress: made_panels(hull_native, source, names, where, options, progress),
-        )
+        options = panel_options(obj.hull.panel_mesh)
+        super().__init__(obj, scene, _PANELS, made_panels, where, options)
 
     def rows(self, made):
         mesh = made.mesh
@@ -138,4 +125,4 @@ def panel_figures(obj, scene):
     """The same of its panels."""
     options = panel_options(obj.hull.panel_mesh)
     where = afloat.afloat(obj.hull, units.metres_per_unit(scene))
-    return _figures(obj, _PANELS, (options, where, left_out.names_of(obj)))
+    return _figures(obj, _PANELS, (where, options, left_out.names_of(obj)))
