@@ -74,8 +74,8 @@ struct FlatPlate {
 // seams, and the triangles that they leave, only bound what is integrated. By Gauss and Newton's
 // method.
 //
-// Throws std::invalid_argument for a plate that is closed around the hull, or so far bent round that
-// no chart has it; it may have holes. And for a Poisson's ratio outside of [0, 0.5].
+// Throws std::invalid_argument for a plate that is closed around the hull, or so far bent round
+// that no chart has it; it may have holes. And for a Poisson's ratio outside of [0, 0.5].
 FlatPlate flat_plate(const Plating& plating, const Plate& plate, double poisson = 0.3);
 
 // A plate's sides laid out, by loop and side as Plate::loops; with the points between.
