@@ -61,6 +61,7 @@ HollowModel hollowed(const ClosedModel& model, double wall, double cell,
   result.hollows = inner.parts;
   result.hollow_volume = -volume_of(inner.points, inner.triangles);
   result.model = model;
+  result.model.cells.clear();  // the hollows' triangles are of none
   const int first = static_cast<int>(model.points.size());
   result.model.points.insert(result.model.points.end(), inner.points.begin(), inner.points.end());
   for (const auto& [a, b, c] : inner.triangles) {
