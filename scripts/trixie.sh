@@ -14,7 +14,7 @@ plain=build/trixie/plain
 if [ ! -e "$root" ] && [ ! -e "$plain" ]; then
     make_root trixie "$root"
     rm -rf "$plain.part"
-    cp -a "$root" "$plain.part"
+    cp -ax "$root" "$plain.part"
     mv "$plain.part" "$plain"
 fi
 make_root trixie "$root"
