@@ -7,7 +7,7 @@ import numpy as np
 
 from ._core import plane_across
 from ._drawing import ShopDrawing
-from .plate_lists import form_of
+from .plate_lists import all_sides, form_of
 from .shop_files import shop_ending, write_shop_drawings
 
 _STRETCH_LINES = 6
@@ -132,7 +132,7 @@ def stretch_drawing(one):
     if flat.developed:
         raise ValueError(f"Plate {one.name} was developed: it has no stretch to be drawn.")
     drawing = ShopDrawing(f"Plate {one.name}: stretch of area, ‰", [("Seen from", "outside")])
-    for _, line in [*flat.sides, *(side for hole in flat.holes for side in hole)]:
+    for _, line in all_sides(flat):
         drawing.add_line("OUTLINE", 1000.0 * line)
     at_nodes = _at_nodes(flat)
     low, high = np.nanmin(at_nodes), np.nanmax(at_nodes)

@@ -42,8 +42,7 @@ class ListedPlate:
     @property
     def outline(self):
         """Lines (k, 2) of the flat plate's sides and its holes', m, seen from the water."""
-        loops = [self.flat.sides, *self.flat.holes]
-        lines = [line for loop in loops for _, line in loop]
+        lines = [line for _, line in all_sides(self.flat)]
         if not self.is_turned:
             return lines
         return [line * [-1.0, 1.0] + [self.extents[0], 0.0] for line in lines]
@@ -87,6 +86,11 @@ def plate_list(
         name = names[k] + PAIR if is_pair else names[k]
         listed.append(ListedPlate(name, plate, thicknesses[k], plate.flat(poisson), density))
     return listed
+
+
+def all_sides(flat):
+    """The sides of a FlatPlate's outline, and those of its holes."""
+    return [*flat.sides, *(side for hole in flat.holes for side in hole)]
 
 
 def form_of(flat):

@@ -6,6 +6,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from .polylines import middle_of
+
 # Radii that differ by less, of the larger, are those of a cylinder.
 _SAME = 1e-9
 
@@ -100,9 +102,7 @@ def without_parts_inside(curves, seams, rings, openings, distance):
     left = []
     for seam in seams:
         for piece in curves.pieces(seam, rings):
-            middle = piece.points[len(piece.points) // 2]
-            if len(piece.points) == 2:
-                middle = piece.points.mean(axis=0)
+            middle = middle_of(piece.points)
             if not any(opening.has(middle, distance) for opening in openings):
                 left.append(piece)
     return left

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Which parts of seams are borders of plates."""
 
-import numpy as np
+from .polylines import foot_on, lengths_along, middle_of
 
 
 def used_seams(curves, seams, plates):
@@ -12,30 +12,21 @@ def used_seams(curves, seams, plates):
     used = []
     for k, seam in enumerate(seams):
         pieces = curves.pieces(seam, [*seams[:k], *seams[k + 1 :]])
-        kept = [piece for piece in pieces if _is_on(piece.points, borders.get(seam.name))]
+        kept = [piece for piece in pieces if _is_on(piece.points, borders.get(seam.name, ()))]
         used += [seam] if len(kept) == len(pieces) else kept
     return used
 
 
 def _borders(plates):
-    """By the names of curves the chords (k, 2, 3) of the plates' sides there."""
+    """By the names of curves the plates' sides there, (k, 3) each."""
     found = {}
     for plate in plates:
         for name, line in (side for loop in plate.loops for side in loop):
-            found.setdefault(name, []).append(np.stack([line[:-1], line[1:]], axis=1))
-    return {name: np.concatenate(chords) for name, chords in found.items()}
+            found.setdefault(name, []).append(line)
+    return found
 
 
-def _is_on(points, chords):
-    """Whether the middle of a polyline is nearer to one of these chords than its quarter is
-    long."""
-    if chords is None:
-        return False
-    steps = np.linalg.norm(np.diff(points, axis=0), axis=1)
-    along = np.concatenate([[0.0], np.cumsum(steps)])
-    middle = [np.interp(0.5 * along[-1], along, points[:, axis]) for axis in range(3)]
-    start, way = chords[:, 0], chords[:, 1] - chords[:, 0]
-    length = np.maximum((way * way).sum(axis=1), np.finfo(float).tiny)
-    share = np.clip(((middle - start) * way).sum(axis=1) / length, 0.0, 1.0)
-    off = np.linalg.norm(start + share[:, None] * way - middle, axis=1)
-    return bool(off.min() < 0.25 * along[-1])
+def _is_on(points, borders):
+    """Whether the middle of a polyline is nearer to one of these lines than its quarter is long."""
+    middle, near = middle_of(points), 0.25 * lengths_along(points)[-1]
+    return any(foot_on(line, lengths_along(line), middle)[1] < near for line in borders)

@@ -22,6 +22,12 @@ def points_at(line, parameters, at):
     return np.stack([np.interp(at, parameters, line[:, axis]) for axis in range(3)], axis=-1)
 
 
+def middle_of(line):
+    """(3,) halfway along a line."""
+    lengths = lengths_along(line)
+    return points_at(line, lengths, 0.5 * lengths[-1])
+
+
 def foot_on(line, parameters, place):
     """The parameter of a line's nearest point to a place, and its distance."""
     start, way = line[:-1], np.diff(line, axis=0)

@@ -64,15 +64,16 @@ def seams_by_rules(surface, rules, *, knuckles=True, tolerance=None, appendages=
     rules = list(rules)
     curves = HullCurves(surface, tolerance)
     along_knuckles = [*curves.knuckles()] if knuckles else []
-    seams = [*along_knuckles]
+    seams = []
     for rule in rules:
         if rule.kind not in ("butts", "strakes", "openings"):
             seams += _one(curves, rule)
         elif rule.kind == "strakes":
             seams += _strakes(curves, rule)
-    butts = [b for rule in rules if rule.kind == "butts" for b in _butts(curves, seams, rule)]
-    closing = closing_butts(surface, curves, seams) if knuckles else []
-    others, around = seams[len(along_knuckles) :] + butts, []
+    long = along_knuckles + seams
+    butts = [b for rule in rules if rule.kind == "butts" for b in _butts(curves, long, rule)]
+    closing = closing_butts(surface, curves, long) if knuckles else []
+    others, around = seams + butts, []
     for rule in (rule for rule in rules if rule.kind == "openings"):
         openings = openings_of(appendages)
         rings = opening_seams(curves, openings, rule.value)

@@ -48,7 +48,6 @@ LeastEnergy make_energy_least(SheetMap& map, const std::vector<PlatePoint>& poin
   LeastEnergy found;
   found.energy = sheet.energy(map.coefficients);
   double damping = 0.0, promised = 0.0;
-  bool is_fresh = false;
   const double none = kNoStrain * kNoStrain * sheet.area();
   while (found.iterations < kMostIterations && !found.converged) {
     ++found.iterations;
@@ -56,7 +55,7 @@ LeastEnergy make_energy_least(SheetMap& map, const std::vector<PlatePoint>& poin
     Eigen::VectorXd steps;
     // Near the end the matrix hardly changes, and is most of the work.
     if (promised > 0.0) steps = sheet.step(downhill);
-    is_fresh = !(promised > 0.0) || downhill.dot(steps) > kFalls * promised;
+    const bool is_fresh = !(promised > 0.0) || downhill.dot(steps) > kFalls * promised;
     if (is_fresh) {
       sheet.set_matrix(map.coefficients, damping);
       steps = sheet.step(downhill);

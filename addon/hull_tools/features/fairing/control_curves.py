@@ -89,8 +89,8 @@ def remove(obj, scene):
     own = {tuple(sorted(edge)) for edge in edges.tolist()}
     left = [edge for edge in row_marks.marked(obj.data).tolist() if tuple(sorted(edge)) not in own]
     row_marks.mark(obj.data, np.array(left, dtype=np.int64).reshape(-1, 2))
-    left = curve_marks.present(obj.data)
-    places = [place for place, other in enumerate(fairness.curves) if other.number in left]
+    present = curve_marks.present(obj.data)
+    places = [place for place, other in enumerate(fairness.curves) if other.number in present]
     last = fairness.active_curve
     fairness.active_curve = min(places, key=lambda place: abs(place - last), default=0)
     hull_state.follow_edit(obj, scene, is_by_hand=False)

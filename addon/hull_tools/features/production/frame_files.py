@@ -78,12 +78,7 @@ class FrameFile(jobs.JobTask):
         if self._layout is not None:
             return self._layout.seams
         hull_native = native.require()
-        curves, seams = hull_native.seams_by_rules(
-            surface,
-            self._rules,
-            knuckles=self._knuckles,
-            appendages=self._source.appendages,
-        )
+        curves, seams = plate_rules.seams_of(self._source, surface, self._rules, self._knuckles)
         try:
             plates = hull_native.plates(surface, seams, left_out=[])
         except ValueError:

@@ -157,12 +157,7 @@ class PlateTask(jobs.JobTask):
 
     def _laid_out(self, progress):
         hull_native, surface = native.require(), self._source.new_surface()
-        curves, seams = hull_native.seams_by_rules(
-            surface,
-            self._rules,
-            knuckles=self._knuckles,
-            appendages=self._source.appendages,
-        )
+        curves, seams = plate_rules.seams_of(self._source, surface, self._rules, self._knuckles)
         progress(0.15)
         left_out = []
         plates = hull_native.plates(

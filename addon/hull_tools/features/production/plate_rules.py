@@ -35,6 +35,13 @@ def seam_rules(obj, scene):
     return made
 
 
+def seams_of(source, surface, rules, along_knuckles):
+    """hull_native.seams_by_rules on a surface of a flotation.ship.ShipSource."""
+    return native.require().seams_by_rules(
+        surface, rules, knuckles=along_knuckles, appendages=source.appendages
+    )
+
+
 def frame_table(obj, scene):
     """The hull_native.FrameTable of a hull, None without ranges."""
     return frames.frame_table(obj.hull, units.metres_per_unit(scene))
