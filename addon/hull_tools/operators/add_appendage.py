@@ -83,7 +83,7 @@ class HULL_OT_add_appendage(bpy.types.Operator, BaseOperator):
         scale = units.metres_per_unit(context.scene)
         made = appendage_kinds.add(self.kind, hull, values, self.section, scale, context.collection)
         make_active(context, made[0])
-        self.report({"INFO"}, ", ".join(obj.name for obj in made))
+        self.tell("INFO", ", ".join(obj.name for obj in made))
 
     def draw(self, context):
         layout = self.layout

@@ -130,7 +130,7 @@ class HULL_OT_add_hull(bpy.types.Operator, BaseOperator):
                 setattr(self, name, value)
         obj, text = (self._after_ship if self._is_after_ship() else self._of_own_mesh)(context)
         make_active(context, obj)
-        self.report({"INFO"}, f"{obj.name}: {len(obj.data.vertices)} control points{text}")
+        self.tell("INFO", f"{obj.name}: {len(obj.data.vertices)} control points{text}")
 
     def _is_after_ship(self):
         return self.kind in type_ships.TYPE_SHIPS

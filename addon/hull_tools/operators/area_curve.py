@@ -36,8 +36,8 @@ def _handles():
 
 def _told(operator, curve, scene):
     volume, centre = curve.volume()
-    operator.report(
-        {"INFO"},
+    operator.tell(
+        "INFO",
         f"Target: ∇ {units.format_value(scene, volume, 'm3')}, "
         f"LCB {units.format_value(scene, centre, 'm')}",
     )

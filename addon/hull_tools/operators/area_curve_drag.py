@@ -112,7 +112,7 @@ class HULL_OT_drag_area_curve(bpy.types.Operator, ViewDrag, HullOperator):
         try:
             handles.remove_handle(self._drag.obj, self._held.index)
         except ValueError as error:
-            self.report({"WARNING"}, str(error))
+            self.tell("WARNING", str(error))
         else:
             self._held.index, self._held.is_dragged = None, False
 

@@ -46,7 +46,7 @@ class HULL_OT_round_bilge(bpy.types.Operator, EditModeOperator):
     def run_on(self, hull, context):
         found = bilge.round_selected(hull, context.scene, self.radius, self.move_borders)
         worst = max(found, key=lambda one: one.best if one.found is None else one.found)
-        self.report({"INFO"}, _words(found, worst, context.scene))
+        self.tell("INFO", _words(found, worst, context.scene))
 
 
 def _words(found, worst, scene):

@@ -21,9 +21,9 @@ class HULL_OT_check_mesh(bpy.types.Operator, HullReader):
     def run_on(self, hull, context):
         problems = hull_state.refresh(hull, context.scene).ship.check.problems
         if problems:
-            self.report({"WARNING"}, f"{len(problems)} found, first: {problems[0].message}")
+            self.tell("WARNING", f"{len(problems)} found, first: {problems[0].message}")
         else:
-            self.report({"INFO"}, "The mesh is sound")
+            self.tell("INFO", "The mesh is sound")
 
 
 class HULL_OT_select_problem(bpy.types.Operator, HullOperator):
@@ -42,7 +42,7 @@ class HULL_OT_select_problem(bpy.types.Operator, HullOperator):
         enter_edit_mode(context, hull)
         if problem.elements:
             selection.select(context, hull, problem.kind, problem.elements, reveal=True)
-        self.report({"INFO"}, problem.message)
+        self.tell("INFO", problem.message)
 
 
 class HULL_OT_turn_outwards(bpy.types.Operator, HullOperator):
@@ -54,7 +54,7 @@ class HULL_OT_turn_outwards(bpy.types.Operator, HullOperator):
     def run_on(self, hull, context):
         count = face_turning.turn_outwards(hull)
         hull_state.follow_edit(hull, context.scene)
-        self.report({"INFO"}, f"{counted(count, 'face')} turned")
+        self.tell("INFO", f"{counted(count, 'face')} turned")
 
 
 CLASSES = (HULL_OT_check_mesh, HULL_OT_select_problem, HULL_OT_turn_outwards)

@@ -23,7 +23,7 @@ class HULL_OT_add_curve(bpy.types.Operator, EditModeOperator):
 
     def run_on(self, hull, context):
         entry = control_curves.add(hull, context.scene, self.name)
-        self.report({"INFO"}, f"{entry.name} added")
+        self.tell("INFO", f"{entry.name} added")
 
 
 class HULL_OT_remove_curve(bpy.types.Operator, EditModeOperator):
@@ -33,7 +33,7 @@ class HULL_OT_remove_curve(bpy.types.Operator, EditModeOperator):
     bl_label = "Remove Control Curve"
 
     def run_on(self, hull, context):
-        self.report({"INFO"}, f"{control_curves.remove(hull, context.scene)} removed")
+        self.tell("INFO", f"{control_curves.remove(hull, context.scene)} removed")
 
 
 class HULL_OT_select_curve(bpy.types.Operator, EditModeOperator):
@@ -46,7 +46,7 @@ class HULL_OT_select_curve(bpy.types.Operator, EditModeOperator):
 
     def run_on(self, hull, context):
         count = control_curves.select(context, hull, self.extend)
-        self.report({"INFO"}, f"{counted(count, 'edge')} selected")
+        self.tell("INFO", f"{counted(count, 'edge')} selected")
 
 
 class HULL_OT_fair_curve(bpy.types.Operator, FairRow):

@@ -75,7 +75,7 @@ class HULL_OT_copy_report(bpy.types.Operator, HullReader):
 
     def run_on(self, hull, context):
         context.window_manager.clipboard = conversions.report_of(hull).text()
-        self.report({"INFO"}, "Report copied")
+        self.tell("INFO", "Report copied")
 
 
 class HULL_OT_export_report(bpy.types.Operator, ExportHull):

@@ -77,7 +77,7 @@ class HULL_OT_set_coordinates(bpy.types.Operator, EditModeOperator):
         held = point_places.set_points(hull, context.scene, places)
         if held:
             text = f"In a region that is kept flat: {held} of {counted(len(places), 'point')}"
-            self.report({"WARNING"}, text)
+            self.tell("WARNING", text)
 
 
 def _number(row):
@@ -121,7 +121,7 @@ class HULL_OT_surface_to_coordinate(bpy.types.Operator, HullOperator):
             try:
                 self.place = hull_objects.from_world(hull) @ context.scene.cursor.location
             except ValueError as error:
-                self.report({"ERROR"}, str(error))
+                self.tell("ERROR", str(error))
                 return {"CANCELLED"}
         if not self.properties.is_property_set("value"):
             self.value = self.place[AXES[self.axis]]
@@ -148,7 +148,7 @@ class HULL_OT_surface_to_coordinate(bpy.types.Operator, HullOperator):
         pull.pull(grip, wanted, pull.scale * self.radius)
         hull_state.follow_edit(hull, context.scene)
         after = units.format_value(context.scene, float(wanted[axis]), "m")
-        self.report({"INFO"}, f"{self.axis.lower()} was {before} and is {after}")
+        self.tell("INFO", f"{self.axis.lower()} was {before} and is {after}")
 
 
 CLASSES = (HullPoint, HULL_OT_set_coordinates, HULL_OT_surface_to_coordinate)

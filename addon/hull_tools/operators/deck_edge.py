@@ -17,7 +17,7 @@ class HULL_OT_mark_deck_edge(bpy.types.Operator, EditModeOperator):
 
     def run_on(self, hull, context):
         count = deck_edge.mark(hull, context.scene)
-        self.report({"INFO"}, f"The deck edge has {counted(count, 'edge')}")
+        self.tell("INFO", f"The deck edge has {counted(count, 'edge')}")
 
 
 class HULL_OT_clear_deck_edge(bpy.types.Operator, EditModeOperator):

@@ -53,7 +53,7 @@ class HULL_OT_make_developable(bpy.types.Operator, EditModeOperator):
         text = developable_making.make_developable(
             hull, context.scene, self.warp, self.distance, self.keep
         )
-        self.report({"INFO"}, text)
+        self.tell("INFO", text)
 
 
 class HULL_OT_release_developable(bpy.types.Operator, EditModeOperator):
@@ -66,7 +66,7 @@ class HULL_OT_release_developable(bpy.types.Operator, EditModeOperator):
     def run_on(self, hull, context):
         count = developable_making.release_selected(hull)
         hull_state.follow_edit(hull, context.scene)
-        self.report({"INFO"}, f"No longer a developable region: {counted(count, 'face')}")
+        self.tell("INFO", f"No longer a developable region: {counted(count, 'face')}")
 
 
 class HULL_OT_developable_strip(bpy.types.Operator, EditModeOperator):
@@ -108,7 +108,7 @@ class HULL_OT_developable_strip(bpy.types.Operator, EditModeOperator):
         )
         # Blender's undo in edit mode knows nothing of objects.
         bpy.ops.object.mode_set(mode="OBJECT")
-        self.report({"INFO"}, text)
+        self.tell("INFO", text)
 
 
 CLASSES = (

@@ -110,7 +110,7 @@ class HULL_OT_set_dimensions(bpy.types.Operator, TaskOperator):
         if asked.keep:
             return super().run_on(hull, context)
         start = dimensions.Start(hull, context.scene, asked)
-        self.report({"INFO"}, _told(start.write(hull, context.scene, None)))
+        self.tell("INFO", _told(start.write(hull, context.scene, None)))
 
     def begin(self, hull, scene):
         return keeping_task.KeepingTask(hull, scene, self._asked(scene))
@@ -176,7 +176,7 @@ class HULL_OT_follow_scale(bpy.types.Operator, BaseOperator):
     def run(self, context):
         hull = hull_objects.hull_of(context.object)
         factors = dimensions.follow_scale(hull, context.scene)
-        self.report({"INFO"}, _report(factors, "All followed the scale"))
+        self.tell("INFO", _report(factors, "All followed the scale"))
 
 
 class HULL_OT_put_keel_on_base_line(bpy.types.Operator, HullOperator):
@@ -201,7 +201,7 @@ class HULL_OT_put_keel_on_base_line(bpy.types.Operator, HullOperator):
         draft = units.format_value(scene, hull.hull.draft * units.metres_per_unit(scene), "m")
         way = "up" if lift > 0.0 else "down"
         distance = units.format_value(scene, abs(lift), "m")
-        self.report({"INFO"}, f"The hull was moved {way} by {distance}; its draft is {draft} now")
+        self.tell("INFO", f"The hull was moved {way} by {distance}; its draft is {draft} now")
 
 
 CLASSES = (HULL_OT_set_dimensions, HULL_OT_follow_scale, HULL_OT_put_keel_on_base_line)

@@ -170,7 +170,7 @@ class HULL_OT_shift_sections(bpy.types.Operator, Displacement, HullOperator):
 
     def run_on(self, hull, context):
         found = section_shifts.shift(hull, context.scene, self._wanted(hull, context.scene))
-        self.report({"INFO"}, reports.shifted(found, context.scene))
+        self.tell("INFO", reports.shifted(found, context.scene))
 
     def _wanted(self, hull, scene):
         volume, lcb, apart = {}, None, None

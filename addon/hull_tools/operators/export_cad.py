@@ -86,7 +86,7 @@ class HULL_OT_select_cad_problem(bpy.types.Operator, HullOperator):
         enter_edit_mode(context, hull)
         if problem.elements:
             selection.select(context, hull, problem.kind, problem.elements, reveal=True)
-        self.report({"INFO"}, problem.message)
+        self.tell("INFO", problem.message)
 
 
 CLASSES = (HULL_OT_export_step, HULL_OT_export_iges, HULL_OT_select_cad_problem)

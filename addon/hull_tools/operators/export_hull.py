@@ -32,7 +32,7 @@ class ExportHull(HullReader, ExportHelper):
         return ""
 
     def run_on(self, hull, context):
-        self.report({"INFO"}, self.write(hull, context.scene))
+        self.tell("INFO", self.write(hull, context.scene))
 
 
 class ExportByTask(TaskOperator, ExportHull):
@@ -76,7 +76,7 @@ class HULL_OT_export_freeship(bpy.types.Operator, ExportHull):
     def write(self, hull, scene):
         path = bpy.path.ensure_ext(self.filepath, self.filename_ext)
         for remark in program_files.export_freeship(hull, scene, path):
-            self.report({"WARNING"}, remark)
+            self.tell("WARNING", remark)
         return "FREE!ship file written"
 
 

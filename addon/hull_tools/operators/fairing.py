@@ -120,7 +120,7 @@ class HULL_OT_fair_region(bpy.types.Operator, _Settings, EditModeOperator):
         asked = self.asked(self.energy)
         report = region_fairing.fair_selected(hull, context.scene, asked)
         text = region_fairing.summary(report)
-        self.report({"WARNING" if report.has_more_marks else "INFO"}, text)
+        self.tell("WARNING" if report.has_more_marks else "INFO", text)
 
 
 class HULL_OT_fair_curvature(bpy.types.Operator, _Settings, TaskOperator):
@@ -168,7 +168,7 @@ class HULL_OT_show_rows(bpy.types.Operator, EditModeOperator):
 
     def run_on(self, hull, context):
         count = row_choice.show(hull, context.scene, self.add)
-        self.report({"INFO"}, f"{counted(count, 'row')} shown")
+        self.tell("INFO", f"{counted(count, 'row')} shown")
 
 
 class FairRow(EditModeOperator):
@@ -185,7 +185,7 @@ class FairRow(EditModeOperator):
         asked = row_fairing.Asked(deviation, self.keep_ends, self.keep_stations)
         report = row_fairing.fair_rows(hull, context.scene, asked)
         text = row_fairing.summary(report)
-        self.report({"WARNING" if report.has_more_marks else "INFO"}, text)
+        self.tell("WARNING" if report.has_more_marks else "INFO", text)
 
 
 class HULL_OT_fair_row(bpy.types.Operator, FairRow):

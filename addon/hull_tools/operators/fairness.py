@@ -52,7 +52,7 @@ class HULL_OT_check_flat(bpy.types.Operator, EditModeOperator):
         found = flat_check.check_selected(hull, context.scene, self.tolerance)
         if found.at_fault:
             selection.select(context, hull, "vertex", found.at_fault, reveal=True)
-        self.report({"WARNING" if found.at_fault else "INFO"}, found.message)
+        self.tell("WARNING" if found.at_fault else "INFO", found.message)
 
 
 class HULL_OT_count_marks(bpy.types.Operator, TaskOperator):
@@ -89,7 +89,7 @@ class HULL_OT_show_mark(bpy.types.Operator, HullReader):
     )
 
     def run_on(self, hull, context):
-        self.report({"INFO"}, seen_marks.show(context, hull, self.step))
+        self.tell("INFO", seen_marks.show(context, hull, self.step))
 
 
 class HULL_OT_accept_marks(bpy.types.Operator, HullOperator):
@@ -103,7 +103,7 @@ class HULL_OT_accept_marks(bpy.types.Operator, HullOperator):
 
     def run_on(self, hull, context):
         count = seen_marks.accept(hull, context.scene, self.all)
-        self.report({"INFO"}, f"{counted(count, 'mark')} accepted")
+        self.tell("INFO", f"{counted(count, 'mark')} accepted")
 
 
 class HULL_OT_accept_no_marks(bpy.types.Operator, HullOperator):
@@ -114,7 +114,7 @@ class HULL_OT_accept_no_marks(bpy.types.Operator, HullOperator):
 
     def run_on(self, hull, context):
         count = seen_marks.accept_none(hull, context.scene)
-        self.report({"INFO"}, f"{counted(count, 'mark')} no longer accepted")
+        self.tell("INFO", f"{counted(count, 'mark')} no longer accepted")
 
 
 CLASSES = (

@@ -101,7 +101,7 @@ class HULL_OT_copy_fields(bpy.types.Operator, FieldOperator):
                 raise ValueError(f"{other.name}: {reason}")
         for other in others:
             copying.copy(hull, other)
-        self.report({"INFO"}, f"Fields copied to {counted(len(others), 'hull')}")
+        self.tell("INFO", f"Fields copied to {counted(len(others), 'hull')}")
 
 
 class HULL_OT_move_field(bpy.types.Operator, FieldOperator):
@@ -172,7 +172,7 @@ class HULL_OT_subdivide_for_fields(bpy.types.Operator, FieldOperator):
 
     def run_on(self, hull, context):
         made = preview.subdivide(hull, context.scene)
-        self.report({"INFO"}, f"{made.points} points and {made.faces} faces, the same surface")
+        self.tell("INFO", f"{made.points} points and {made.faces} faces, the same surface")
 
 
 class HULL_OT_insert_row_for_fields(bpy.types.Operator, FieldOperator):
@@ -186,8 +186,8 @@ class HULL_OT_insert_row_for_fields(bpy.types.Operator, FieldOperator):
 
     def run_on(self, hull, context):
         made = preview.insert_row(hull, context.scene)
-        self.report(
-            {"INFO"},
+        self.tell(
+            "INFO",
             f"{counted(made.count, 'point')} more: the hull of before changed by "
             f"{units.format_mm(made.change)} at most",
         )
@@ -220,7 +220,7 @@ class HULL_OT_apply_fields(bpy.types.Operator, FieldOperator):
                 return
         else:
             applied = shaping.apply(hull, context.scene)
-        self.report({"INFO"} if applied.is_followed else {"WARNING"}, shaping.summary(applied))
+        self.tell("INFO" if applied.is_followed else "WARNING", shaping.summary(applied))
 
 
 CLASSES = (

@@ -67,7 +67,7 @@ class HULL_OT_load_stl(bpy.types.Operator, HullOperator, ImportHelper):
         shape = fitting.shape_object(path.stem, points, triangles, context.collection)
         shape.location = hull.matrix_world.translation
         hull_objects.hull_of(context.object).hull.fit.target = shape
-        self.report({"INFO"}, f"{shape.name}: {counted(len(triangles), 'triangle')} read")
+        self.tell("INFO", f"{shape.name}: {counted(len(triangles), 'triangle')} read")
 
 
 CLASSES = (HULL_OT_fit, HULL_OT_show_fit_worst, HULL_OT_load_stl)

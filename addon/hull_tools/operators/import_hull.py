@@ -20,8 +20,8 @@ def _import(operator, context, path):
     show_all(context)
     state = hull_state.state_of(obj)
     for note in (*hull.notes, *([state.status] if state.status else _doubts(state))):
-        operator.report({"WARNING"}, note)
-    operator.report({"INFO"}, f"{obj.name}: {counted(len(obj.data.polygons), 'face')} read")
+        operator.tell("WARNING", note)
+    operator.tell("INFO", f"{obj.name}: {counted(len(obj.data.polygons), 'face')} read")
     return {"FINISHED"}
 
 

@@ -39,7 +39,7 @@ class HULL_OT_keep_points(bpy.types.Operator, EditModeOperator):
     def run_on(self, hull, context):
         count = kept_points.set_selected(hull, _axes(self.plane), True)
         hull_state.follow_edit(hull, context.scene)
-        self.report({"INFO"}, f"{counted(count, 'point')} more kept in their {self.plane.lower()}")
+        self.tell("INFO", f"{counted(count, 'point')} more kept in their {self.plane.lower()}")
 
 
 class HULL_OT_keep_all_points(bpy.types.Operator, HullOperator):
@@ -54,7 +54,7 @@ class HULL_OT_keep_all_points(bpy.types.Operator, HullOperator):
         indices = range(len(mesh_points.read(hull.data)))
         count = kept_points.set_axes(hull.data, indices, _axes(self.plane), True)
         hull_state.follow_edit(hull, context.scene)
-        self.report({"INFO"}, f"{counted(count, 'point')} more kept in their {self.plane.lower()}")
+        self.tell("INFO", f"{counted(count, 'point')} more kept in their {self.plane.lower()}")
 
 
 class HULL_OT_free_points(bpy.types.Operator, EditModeOperator):
@@ -80,7 +80,7 @@ class HULL_OT_free_points(bpy.types.Operator, EditModeOperator):
             count = kept_points.set_axes(hull.data, indices, axes, False)
         else:
             count = kept_points.set_selected(hull, axes, False)
-        self.report({"INFO"}, f"{counted(count, 'point')} freed")
+        self.tell("INFO", f"{counted(count, 'point')} freed")
 
 
 class HULL_OT_select_kept(bpy.types.Operator, SelectOperator):

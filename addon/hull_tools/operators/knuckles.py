@@ -49,10 +49,10 @@ class HULL_OT_set_knuckle_angle(bpy.types.Operator, EditModeOperator):
         moved = counted(found.count, "control point")
         words = f"{moved} moved, {longest} at most; the angle is {off} off"
         if found.met:
-            self.report({"INFO"}, f"{words} at most")
+            self.tell("INFO", f"{words} at most")
         else:
-            self.report(
-                {"WARNING"},
+            self.tell(
+                "WARNING",
                 f"{words} where it is worst: unlock points beside the knuckle, or add rows across",
             )
 

@@ -20,7 +20,7 @@ class HULL_OT_new_layer(bpy.types.Operator, EditModeOperator):
 
     def run_on(self, hull, context):
         count = layering.make_layer(hull, context.scene, self.name)
-        self.report({"INFO"}, f"{counted(count, 'face')} in a layer of their own")
+        self.tell("INFO", f"{counted(count, 'face')} in a layer of their own")
 
 
 class HULL_OT_remove_empty_layers(bpy.types.Operator, HullOperator):
@@ -33,7 +33,7 @@ class HULL_OT_remove_empty_layers(bpy.types.Operator, HullOperator):
 
     def run_on(self, hull, context):
         count = layering.remove_empty(hull, context.scene)
-        self.report({"INFO"}, f"{counted(count, 'layer')} without faces removed")
+        self.tell("INFO", f"{counted(count, 'layer')} without faces removed")
 
 
 CLASSES = (HULL_OT_new_layer, HULL_OT_remove_empty_layers)

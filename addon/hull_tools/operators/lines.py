@@ -82,7 +82,7 @@ class HULL_OT_lines_as_curves(bpy.types.Operator, HullOperator):
         )
         if not count:
             raise ValueError("No lines are shown: switch some on")
-        self.report({"INFO"}, counted(count, "curve"))
+        self.tell("INFO", counted(count, "curve"))
 
 
 CLASSES = (HULL_OT_add_plane, HULL_OT_remove_plane, HULL_OT_lines_as_curves)

@@ -18,7 +18,7 @@ class SetLocks(EditModeOperator):
 
     def run_on(self, hull, context):
         count = point_locks.set_selected(hull, self.is_locked, self.everything)
-        self.report({"INFO"}, f"{counted(count, 'point')} {self.done}")
+        self.tell("INFO", f"{counted(count, 'point')} {self.done}")
 
 
 class HULL_OT_lock_points(bpy.types.Operator, SetLocks):
@@ -54,7 +54,7 @@ class HULL_OT_select_locked(bpy.types.Operator, EditModeOperator):
         if not len(locked):
             raise ValueError("No point is locked")
         count = selection.select(context, hull, "vertex", locked)
-        self.report({"INFO"}, f"{count} locked points selected")
+        self.tell("INFO", f"{count} locked points selected")
 
 
 CLASSES = (HULL_OT_lock_points, HULL_OT_unlock_points, HULL_OT_select_locked)

@@ -48,7 +48,7 @@ class HULL_OT_make_hull(bpy.types.Operator, BaseOperator):
     def run(self, context):
         state = hull_creation.make_hull(context.object, context.scene, self.half)
         if state.status:
-            self.report({"WARNING"}, state.status)
+            self.tell("WARNING", state.status)
 
 
 class HULL_OT_update(bpy.types.Operator, HullOperator):

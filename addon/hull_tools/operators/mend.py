@@ -26,7 +26,7 @@ class HULL_OT_split(bpy.types.Operator, HullOperator):
             text += (
                 f"; {done.standing} faces stand on others: Set Aside takes them out of the shell"
             )
-        self.report({"WARNING" if done.standing else "INFO"}, text)
+        self.tell("WARNING" if done.standing else "INFO", text)
 
 
 class HULL_OT_set_aside(bpy.types.Operator, HullOperator):
@@ -41,9 +41,7 @@ class HULL_OT_set_aside(bpy.types.Operator, HullOperator):
         if hull.mode == "EDIT":
             faces = [face.index for face in bmesh.from_edit_mesh(hull.data).faces if face.select]
         count = splitting.set_aside(hull, context.scene, faces or None)
-        self.report(
-            {"INFO"}, f'{count} faces are in the layer "{splitting.SET_ASIDE}", not the shell'
-        )
+        self.tell("INFO", f'{count} faces are in the layer "{splitting.SET_ASIDE}", not the shell')
 
 
 class HULL_OT_mirror_to_port(bpy.types.Operator, HullOperator):
@@ -56,7 +54,7 @@ class HULL_OT_mirror_to_port(bpy.types.Operator, HullOperator):
 
     def run_on(self, hull, context):
         mirroring.to_port(hull, context.scene)
-        self.report({"INFO"}, f"{hull.name} is to port now")
+        self.tell("INFO", f"{hull.name} is to port now")
 
 
 class HULL_OT_put_on_centre_plane(bpy.types.Operator, HullOperator):
@@ -68,7 +66,7 @@ class HULL_OT_put_on_centre_plane(bpy.types.Operator, HullOperator):
 
     def run_on(self, hull, context):
         count = mirroring.put_centre_line_on_plane(hull, context.scene)
-        self.report({"INFO"}, f"{counted(count, 'point')} put on the centre plane")
+        self.tell("INFO", f"{counted(count, 'point')} put on the centre plane")
 
 
 class HULL_OT_join_centre_line(bpy.types.Operator, HullOperator):
@@ -80,7 +78,7 @@ class HULL_OT_join_centre_line(bpy.types.Operator, HullOperator):
 
     def run_on(self, hull, context):
         count = centre_line.join(hull, context.scene)
-        self.report({"INFO"}, f"{counted(count, 'point')} of the centre line joined")
+        self.tell("INFO", f"{counted(count, 'point')} of the centre line joined")
 
 
 class HULL_OT_count_sides(bpy.types.Operator, HullOperator):
@@ -132,7 +130,7 @@ class HULL_OT_take_from_surface(bpy.types.Operator, HullOperator):
             f"{titles[name]} {units.format_value(scene, value, 'm')}"
             for name, value in values.items()
         ]
-        self.report({"INFO"}, ", ".join(taken) or "Nothing is chosen")
+        self.tell("INFO", ", ".join(taken) or "Nothing is chosen")
 
 
 CLASSES = (

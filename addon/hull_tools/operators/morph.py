@@ -203,7 +203,7 @@ class HULL_OT_leave_family(bpy.types.Operator, HullOperator):
 
     def run_on(self, hull, context):
         members.make_own(hull)
-        self.report({"INFO"}, f'"{hull.name}" is a hull of its own')
+        self.tell("INFO", f'"{hull.name}" is a hull of its own')
 
 
 class HULL_OT_back_to_family(bpy.types.Operator, HullOperator):

@@ -84,7 +84,7 @@ class HULL_OT_add_network_curve(bpy.types.Operator, CurveOperator):
         position = self.placed(context)
         made = adding.add(network, context.scene, self.kind, position, self.angle, points)
         self.show(context, made)
-        self.report({"INFO"}, f'"{made.name}" is added')
+        self.tell("INFO", f'"{made.name}" is added')
 
 
 class HULL_OT_add_network_section(bpy.types.Operator, CurveOperator):
@@ -102,7 +102,7 @@ class HULL_OT_add_network_section(bpy.types.Operator, CurveOperator):
         position = self.placed(context)
         made = adding.add_section(network, context.scene, self.kind, position, self.angle)
         self.show(context, made[0])
-        self.report({"INFO"}, f"{counted(len(made), 'curve')} through the surface")
+        self.tell("INFO", f"{counted(len(made), 'curve')} through the surface")
 
 
 class HULL_OT_draw_network_curve(bpy.types.Operator, CurveOperator, ViewDrag):
@@ -168,7 +168,7 @@ class HULL_OT_draw_network_curve(bpy.types.Operator, CurveOperator, ViewDrag):
             network, context.scene, self.kind, position, self.angle, points, is_knuckle
         )
         self.show(context, made)
-        self.report({"INFO"}, f'"{made.name}" is drawn')
+        self.tell("INFO", f'"{made.name}" is drawn')
 
 
 class HULL_OT_smooth_network_curve(bpy.types.Operator, NetworkOperator):
@@ -203,7 +203,7 @@ class HULL_OT_smooth_network_curve(bpy.types.Operator, NetworkOperator):
         fairer = min(one.before / max(one.after, 1e-300) for one in told)
         if fairer > 1.0:
             text += f"; jumps of the third derivative {min(fairer, 1e6):.3g} times smaller"
-        self.report({"INFO"}, text)
+        self.tell("INFO", text)
 
 
 CLASSES = (

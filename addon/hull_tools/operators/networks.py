@@ -93,7 +93,7 @@ class HULL_OT_new_network(bpy.types.Operator, BaseOperator):
             obj.select_set(False)
         context.view_layer.objects.active = None
         network_state.follow(network, context.scene)
-        self.report({"INFO"}, f'"{network.name}" is a network: add curves')
+        self.tell("INFO", f'"{network.name}" is a network: add curves')
 
 
 class HULL_OT_network_from_hull(bpy.types.Operator, TaskOperator):
@@ -166,7 +166,7 @@ class HULL_OT_curves_to_network(bpy.types.Operator, BaseOperator):
         made = making.take(context.selected_objects, network, context.scene)
         make_active(context, made[0])
         suit_views(context)
-        self.report({"INFO"}, f'"{network.name}" took {counted(len(made), "curve")}')
+        self.tell("INFO", f'"{network.name}" took {counted(len(made), "curve")}')
 
 
 class HULL_OT_tie_curves(bpy.types.Operator, NetworkOperator):
@@ -188,7 +188,7 @@ class HULL_OT_tie_curves(bpy.types.Operator, NetworkOperator):
         if reach < 0.0:
             raise ValueError("The reach is below zero")
         count = crossings.tie(network, context.scene, reach)
-        self.report({"INFO"}, f"Curves are tied at {counted(count, 'place')}")
+        self.tell("INFO", f"Curves are tied at {counted(count, 'place')}")
 
 
 class HULL_OT_select_network_problem(bpy.types.Operator, NetworkOperator):

@@ -25,7 +25,7 @@ class HULL_OT_suggest_seams(bpy.types.Operator, HullOperator):
         for kind, value in plate_rules.suggested(ship):
             rule = rules.add()
             rule.kind, rule.value = kind, value
-        self.report({"INFO"}, f"{len(rules)} rules: strakes from the deck edge, staggered butts")
+        self.tell("INFO", f"{len(rules)} rules: strakes from the deck edge, staggered butts")
 
 
 class HULL_OT_change_plate_list(bpy.types.Operator, HullOperator):

@@ -105,7 +105,7 @@ class HULL_OT_pull_surface(bpy.types.Operator, ViewDrag, HullOperator):
 
     def _tell(self, context, count, longest):
         length = units.format_value(context.scene, longest, "m")
-        self.report({"INFO"}, f"{counted(count, 'control point')} moved, {length} at most")
+        self.tell("INFO", f"{counted(count, 'control point')} moved, {length} at most")
 
     def begin(self, context):
         hull = hull_objects.hull_of(context.object)

@@ -39,7 +39,7 @@ class HULL_OT_insert_row(bpy.types.Operator, EditModeOperator):
         )
         if found.ends:
             text += f". {counted(found.ends, 'face')} beside the row have a point more"
-        self.report({"INFO"}, text)
+        self.tell("INFO", text)
 
 
 class HULL_OT_remove_row(bpy.types.Operator, EditModeOperator):
@@ -55,8 +55,8 @@ class HULL_OT_remove_row(bpy.types.Operator, EditModeOperator):
     def run_on(self, hull, context):
         scale = units.metres_per_unit(context.scene)
         found = row_removal.remove_row(hull, context.scene, scale * self.tolerance)
-        self.report(
-            {"INFO"},
+        self.tell(
+            "INFO",
             f"{counted(found.count, 'point')} removed: the surface changed by "
             f"{units.format_mm(found.change)} at most; without placing the others anew by "
             f"{units.format_mm(found.bare_change)}",
@@ -79,7 +79,7 @@ class HULL_OT_subdivide_exactly(bpy.types.Operator, HullOperator):
                 f". {made.no_longer_flat} of them, at the rims of flats, are not kept flat: the "
                 "surface leaves the plane there"
             )
-        self.report({"INFO"}, text)
+        self.tell("INFO", text)
 
 
 class HULL_OT_unsubdivide(bpy.types.Operator, HullOperator):
@@ -105,7 +105,7 @@ class HULL_OT_unsubdivide(bpy.types.Operator, HullOperator):
                 f". {counted_are(made.no_longer_flat, 'face')} not kept flat any longer: points of "
                 "them are not in the plane"
             )
-        self.report({"INFO"}, text)
+        self.tell("INFO", text)
 
 
 CLASSES = (HULL_OT_insert_row, HULL_OT_remove_row, HULL_OT_subdivide_exactly, HULL_OT_unsubdivide)

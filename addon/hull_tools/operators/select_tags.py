@@ -21,7 +21,7 @@ class SelectOperator(EditModeOperator):
             raise ValueError(self.nothing_found)
         count = selection.select(context, hull, kind, elements, extend=self.extend)
         hidden = len(elements) - count
-        self.report({"INFO"}, f"{count} selected" + (f", {hidden} are hidden" if hidden else ""))
+        self.tell("INFO", f"{count} selected" + (f", {hidden} are hidden" if hidden else ""))
 
 
 class HULL_OT_select_creases(bpy.types.Operator, SelectOperator):

@@ -79,7 +79,7 @@ class HULL_OT_make_flat(bpy.types.Operator, EditModeOperator):
         )
         if made.position is not None:
             self.position = made.position  # where a position that is typed afterwards begins
-        self.report({"INFO"}, made.message)
+        self.tell("INFO", made.message)
 
 
 class HULL_OT_select_flat(bpy.types.Operator, EditModeOperator):
@@ -93,7 +93,7 @@ class HULL_OT_select_flat(bpy.types.Operator, EditModeOperator):
         count = flat_making.select_regions(hull)
         if not count:
             raise ValueError("No faces are kept flat")
-        self.report({"INFO"}, f"{count} flat regions selected")
+        self.tell("INFO", f"{count} flat regions selected")
 
 
 class HULL_OT_release_flat(bpy.types.Operator, EditModeOperator):
@@ -106,7 +106,7 @@ class HULL_OT_release_flat(bpy.types.Operator, EditModeOperator):
     def run_on(self, hull, context):
         count = flat_making.release_selected(hull)
         hull_state.follow_edit(hull, context.scene)
-        self.report({"INFO"}, f"No longer kept flat: {counted(count, 'face')}")
+        self.tell("INFO", f"No longer kept flat: {counted(count, 'face')}")
 
 
 class HULL_OT_put_in_plane(bpy.types.Operator, EditModeOperator):
@@ -152,7 +152,7 @@ class HULL_OT_put_in_plane(bpy.types.Operator, EditModeOperator):
         )
         self.position = position  # where one that is typed afterwards begins
         metres = units.format_value(scene, position * units.metres_per_unit(scene), "m")
-        self.report({"INFO"}, f"{counted(count, 'point')} at {self.plane.lower()} {metres}")
+        self.tell("INFO", f"{counted(count, 'point')} at {self.plane.lower()} {metres}")
 
 
 class HULL_OT_reduce_valence(bpy.types.Operator, EditModeOperator):
@@ -170,7 +170,7 @@ class HULL_OT_reduce_valence(bpy.types.Operator, EditModeOperator):
         if found.change is not None:
             moved = units.format_value(context.scene, found.change, "m")
             text += f"; the surface moved by up to {moved}"
-        self.report({"INFO"}, text)
+        self.tell("INFO", text)
 
 
 CLASSES = (

@@ -4,8 +4,9 @@
 import bpy
 from bpy.props import FloatProperty
 
+from ... import hull_io
 from ..bridge import native
-from ..bridge.blender import view_depth
+from ..bridge.blender import sentence_units, view_depth
 from ..bridge.objects import appendages, hull_objects
 from ..properties.shared import length
 
@@ -159,9 +160,15 @@ class BaseOperator:
         """What function(context) returns, or FINISHED; what it raises is reported."""
         try:
             return function(context) or {"FINISHED"}
-        except (ValueError, OSError) as error:
+        except hull_io.HullFileError as error:  # in the units of the file
             self.report({"ERROR"}, str(error))
-            return {"CANCELLED"}
+        except (ValueError, OSError) as error:
+            self.tell("ERROR", str(error))
+        return {"CANCELLED"}
+
+    def tell(self, level, text):
+        """Reports a sentence, in the units of the scene. level: "INFO", "WARNING" or "ERROR"."""
+        self.report({level}, sentence_units.in_scene_units(bpy.context.scene, text))
 
 
 class HullReader(BaseOperator):

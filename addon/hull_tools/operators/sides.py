@@ -16,7 +16,7 @@ class SidesOperator(HullOperator):
     needs = (in_object_mode, *HullOperator.needs)
 
     def tell_faces(self, hull, which):
-        self.report({"INFO"}, f"{hull.name}: {counted(len(hull.data.polygons), 'face')}, {which}")
+        self.tell("INFO", f"{hull.name}: {counted(len(hull.data.polygons), 'face')}, {which}")
 
 
 class HULL_OT_make_whole(bpy.types.Operator, SidesOperator):
@@ -70,7 +70,7 @@ class HULL_OT_make_half(bpy.types.Operator, SidesOperator):
                 "look at the surface there"
             )
         if notes:
-            self.report({"WARNING"}, ". ".join(note[0].upper() + note[1:] for note in notes))
+            self.tell("WARNING", ". ".join(note[0].upper() + note[1:] for note in notes))
         else:
             self.tell_faces(hull, "one side")
 

@@ -30,7 +30,7 @@ class HULL_OT_make_studio(bpy.types.Operator, HullOperator):
         # What goes with the studio of before may be what is active.
         make_active(context, hull)
         studio.make(hull, context.scene)
-        self.report({"INFO"}, f"Studio of {hull.name}: F12 makes the picture")
+        self.tell("INFO", f"Studio of {hull.name}: F12 makes the picture")
 
 
 class HULL_OT_remove_studio(bpy.types.Operator, BaseOperator):

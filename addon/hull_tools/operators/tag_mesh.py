@@ -96,7 +96,7 @@ class HULL_OT_tag_by_angle(bpy.types.Operator, TagOperator):
         judged, creased = np.sum([self._tag(o) for o in context.objects_in_mode_unique_data], 0)
         if not judged:
             raise ValueError("Select the edges to judge by their angle first")
-        self.report({"INFO"}, f"{creased} of {judged} edges are creases")
+        self.tell("INFO", f"{creased} of {judged} edges are creases")
 
     def _tag(self, obj):
         """(how many edges were judged, how many became creases); those with other than two faces

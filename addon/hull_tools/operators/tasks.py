@@ -59,11 +59,11 @@ class TaskOperator(HullReader):
         try:
             text, warns = self.outcome(self._task.result(), context.scene)
         except jobs.Cancelled:
-            self.report({"INFO"}, f"{self.bl_label}: cancelled, all is as it was")
+            self.tell("INFO", f"{self.bl_label}: cancelled, all is as it was")
             return {"CANCELLED"}
         finally:
             conversions.take_finished()
-        self.report({"WARNING" if warns else "INFO"}, text)
+        self.tell("WARNING" if warns else "INFO", text)
         return {"FINISHED"}
 
     def _show_progress(self, context):

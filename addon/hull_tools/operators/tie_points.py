@@ -44,7 +44,7 @@ class HULL_OT_tie_points(bpy.types.Operator, EditModeOperator):
     def run_on(self, hull, context):
         count = ties.tie_selected(hull, self.kind, self.share)
         hull_state.follow_edit(hull, context.scene)
-        self.report({"INFO"}, f"{counted(count, 'point')} tied")
+        self.tell("INFO", f"{counted(count, 'point')} tied")
 
 
 class HULL_OT_untie_points(bpy.types.Operator, EditModeOperator):
@@ -59,7 +59,7 @@ class HULL_OT_untie_points(bpy.types.Operator, EditModeOperator):
             raise ValueError("Select the points first")
         count = ties.untie(hull, selected)
         hull_state.follow_edit(hull, context.scene)
-        self.report({"INFO"}, f"{counted(count, 'point')} untied")
+        self.tell("INFO", f"{counted(count, 'point')} untied")
 
 
 class HULL_OT_select_tied(bpy.types.Operator, SelectOperator):

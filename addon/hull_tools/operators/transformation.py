@@ -54,7 +54,7 @@ class HULL_OT_lengthen(bpy.types.Operator, HullOperator):
         length, place, aft, fore = (scale * units.as_typed(value) for value in values)
         stretched = (aft, fore) if self.use_range else None
         found = lengthening.lengthen(hull, scene, place, length, stretched)
-        self.report({"INFO"}, reports.lengthened(found, scene))
+        self.tell("INFO", reports.lengthened(found, scene))
 
 
 class HULL_OT_inflate_section(bpy.types.Operator, HullOperator):
@@ -119,7 +119,7 @@ class HULL_OT_inflate_section(bpy.types.Operator, HullOperator):
             units.as_typed(self.percent),
             scale * units.as_typed(self.extent) if self.use_extent else None,
         )
-        self.report({"INFO"}, reports.inflated(found, scene))
+        self.tell("INFO", reports.inflated(found, scene))
 
 
 CLASSES = (HULL_OT_lengthen, HULL_OT_inflate_section)

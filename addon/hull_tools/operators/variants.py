@@ -44,7 +44,7 @@ class HULL_OT_keep_variant(bpy.types.Operator, HullOperator):
 
     def run_on(self, hull, context):
         entry = kept_hulls.keep(hull, self.name, self.note)
-        self.report({"INFO"}, f'Kept as "{entry.name}"')
+        self.tell("INFO", f'Kept as "{entry.name}"')
 
 
 class HULL_OT_remove_variant(bpy.types.Operator, HullOperator):
@@ -80,9 +80,9 @@ class HULL_OT_go_back_to_variant(bpy.types.Operator, HullOperator):
         entry = kept_hulls.named(hull, self.variant)
         name = entry.name
         state = kept_hulls.go_back(hull, context.scene, entry, self.keep_present)
-        self.report({"INFO"}, f'The hull is "{name}" again')
+        self.tell("INFO", f'The hull is "{name}" again')
         if state.status:
-            self.report({"WARNING"}, state.status)
+            self.tell("WARNING", state.status)
 
 
 class HULL_OT_duplicate_variant(bpy.types.Operator, HullReader):

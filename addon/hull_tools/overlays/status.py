@@ -5,7 +5,7 @@ the surface is that of before."""
 import bpy
 import gpu
 
-from ..bridge.blender import view_room
+from ..bridge.blender import sentence_units, view_room
 from ..bridge.objects import hull_objects
 from ..features.hull import hull_state
 from . import shapes
@@ -45,7 +45,8 @@ def _draw():
     context = bpy.context
     if context.region is None or not context.space_data.overlay.show_overlays:
         return
-    text = status_line(hull_objects.hull_of(context.view_layer.objects.active))
+    hull = hull_objects.hull_of(context.view_layer.objects.active)
+    text = sentence_units.in_scene_units(context.scene, status_line(hull))
     if not text:
         return
     scale = context.preferences.system.ui_scale

@@ -3,7 +3,7 @@
 
 import bpy
 
-from ..bridge.blender import units
+from ..bridge.blender import sentence_units, units
 from ..bridge.counts import counted
 from ..bridge.objects import hull_objects, networks
 from ..features.networks import network_state, to_hull
@@ -121,7 +121,8 @@ class HULL_PT_network_curve(HullTab, bpy.types.Panel):
         distance = to_hull.of_curve(networks.network_of(obj), obj.name)
         if distance is not None:
             rms, largest = units.format_mm(distance.rms), units.format_mm(distance.largest)
-            layout.label(text=f"Off the hull: RMS {rms}, at most {largest}")
+            text = f"Off the hull: RMS {rms}, at most {largest}"
+            layout.label(text=sentence_units.in_scene_units(bpy.context.scene, text))
 
     def _draw_found_role(self, layout, obj):
         state = network_state.state_of(networks.network_of(obj))

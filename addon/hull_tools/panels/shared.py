@@ -3,6 +3,9 @@
 
 import textwrap
 
+import bpy
+
+from ..bridge.blender import sentence_units
 from ..bridge.blender.units import format_value, is_imperial
 from ..bridge.objects import hull_objects
 from ..features import analyses
@@ -35,7 +38,8 @@ class HullPanel(HullTab):
 
 def label_wrapped(layout, context, text, icon="NONE", rows=0):
     """A text as labels of one line each, the icon before the first; as many lines as `rows` at
-    least, where nothing below is to move with it."""
+    least, where nothing below is to move with it; in the scene's units."""
+    text = sentence_units.in_scene_units(context.scene, text)
     width = context.region.width / context.preferences.system.ui_scale
     column = layout.column(align=True)
     column.scale_y = 0.8
@@ -46,14 +50,14 @@ def label_wrapped(layout, context, text, icon="NONE", rows=0):
 
 
 def label_value(layout, name, value):
-    """A name to the left, and its value to the right."""
+    """A name to the left, and its value to the right, in the scene's units."""
     row = layout.row()
     left = row.row()
     left.alignment = "LEFT"
     left.label(text=name)
     right = row.row()
     right.alignment = "RIGHT"
-    right.label(text=value)
+    right.label(text=sentence_units.in_scene_units(bpy.context.scene, value))
 
 
 def text_field(layout, settings, name):
