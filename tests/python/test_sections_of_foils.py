@@ -37,9 +37,15 @@ CAMBERED = {
              (30, 7.88, -4.12), (40, 7.80, -3.80), (50, 7.24, -3.34), (60, 6.36, -2.76),
              (70, 5.18, -2.14), (80, 3.75, -1.50), (90, 2.08, -0.82), (95, 1.14, -0.48),
              (100, 0.13, -0.13)],
-    "23012": [(10, 6.43, -2.92), (30, 7.55, -4.46), (50, 6.41, -4.17),
-              (80, 3.08, -2.16)],
+    "23012": [(1.25, 2.67, -1.23), (2.5, 3.61, -1.71), (5, 4.91, -2.26), (7.5, 5.80, -2.61),
+              (10, 6.43, -2.92), (15, 7.19, -3.50), (20, 7.50, -3.97), (25, 7.60, -4.28),
+              (30, 7.55, -4.46), (40, 7.14, -4.48), (50, 6.41, -4.17), (60, 5.47, -3.67),
+              (70, 4.36, -3.00), (80, 3.08, -2.16), (90, 1.68, -1.23), (95, 0.92, -0.70),
+              (100, 0.13, -0.13)],
 }  # fmt: skip
+# Of 23012, computed by hand in 1935, two digits are further off than the others: the lower side at
+# 1.25 % by 0.030 and the upper at 70 % by 0.025. The file below has what the formula gives there.
+SLIPS = {("23012", 1.25, True), ("23012", 70, False)}
 # 2412 as the table of Abbott & von Doenhoff's book was computed anew from the formulas (the public
 # domain program naca456 of PDAS, whose author found "numerous computing and typographic errors").
 RECOMPUTED_2412 = [
@@ -51,6 +57,20 @@ RECOMPUTED_2412 = [
     (75, 4.4949, -1.8305), (80, 3.7497, -1.5017), (85, 2.9422, -1.1681), (90, 2.0711, -0.8289),
     (95, 1.1341, -0.4821),
 ]  # fmt: skip
+
+# Places on the outline of 23012, in chords, as a file of another origin has them (Selig).
+UIUC_23012 = {
+    False: [(0.00015, 0.00956), (0.00628, 0.0203), (0.01865, 0.03176), (0.0373, 0.04324),
+            (0.06203, 0.05382), (0.0923, 0.06265), (0.12732, 0.06915), (0.16604, 0.0732),
+            (0.20738, 0.07524), (0.25131, 0.07597), (0.29796, 0.07554), (0.39733, 0.0715),
+            (0.50117, 0.06397), (0.60496, 0.05405), (0.70417, 0.04285), (0.79449, 0.03145),
+            (0.87197, 0.02079), (0.93324, 0.01176), (0.97563, 0.00518), (0.9973, 0.0017)],
+    True: [(0.00533, -0.00792), (0.01557, -0.01401), (0.03029, -0.0187), (0.04915, -0.02248),
+           (0.07195, -0.02586), (0.09868, -0.02922), (0.12954, -0.03282), (0.16483, -0.0366),
+           (0.20483, -0.04016), (0.24869, -0.04283), (0.29531, -0.04446), (0.39476, -0.04482),
+           (0.49883, -0.04188), (0.60296, -0.03655), (0.70257, -0.02975), (0.7933, -0.02235),
+           (0.87118, -0.01512), (0.93279, -0.0088), (0.97543, -0.0041), (0.99722, -0.00158)],
+}  # fmt: skip
 
 
 def height_at(form, x, lower):
@@ -83,10 +103,11 @@ def test_cambered_sections(name):
     """Printed to 0.01 %, computed by hand: 2412's and 23012's lower sides are up to 0.018 % off
     their own formulas, as the tests below tell."""
     form = hn.SectionForm(name)
-    for x, upper, lower in CAMBERED[name]:
-        x = min(x / 100, 0.99999)
-        assert 100 * height_at(form, x, False) == pytest.approx(upper, abs=0.02), x
-        assert 100 * height_at(form, x, True) == pytest.approx(lower, abs=0.02), x
+    for station, upper, lower in CAMBERED[name]:
+        x = min(station / 100, 0.99999)
+        for printed, side in ((upper, False), (lower, True)):
+            if (name, station, side) not in SLIPS:
+                assert 100 * height_at(form, x, side) == pytest.approx(printed, abs=0.02), station
 
 
 def test_every_digit_of_the_table_computed_anew():
@@ -127,6 +148,19 @@ def test_cambered_section_against_another_program():
     ]:
         assert form.point(x) == pytest.approx(upper, abs=2e-5), x
         assert form.point(x, lower=True) == pytest.approx(lower, abs=2e-5), x
+
+
+@pytest.mark.parametrize("lower", UIUC_23012)
+def test_five_digits_against_a_published_file(lower):
+    """To its five digits, as distances from the outline."""
+    form = hn.SectionForm("23012")
+    stations = np.linspace(0.0, 1.0, 4001) ** 2
+    outline = np.array([form.point(x, lower=lower) for x in stations])
+    starts, sides = outline[:-1], np.diff(outline, axis=0)
+    for place in np.array(UIUC_23012[lower]):
+        shares = ((place - starts) * sides).sum(1) / (sides**2).sum(1)
+        feet = starts + np.clip(shares, 0.0, 1.0)[:, None] * sides
+        assert np.linalg.norm(feet - place, axis=1).min() < 1e-5, place
 
 
 @pytest.mark.parametrize("name", ["0012", "2412", "23012", "63-012", "65-018"])
