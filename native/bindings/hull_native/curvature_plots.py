@@ -8,6 +8,7 @@ import numpy as np
 from ._core import section
 from ._drawing import Plot
 from .plot_units import METRIC
+from .polylines import lengths_along
 
 _AXES = {"x": ("Station", "x"), "y": ("Buttock", "y"), "z": ("Waterline", "z")}
 
@@ -41,9 +42,7 @@ def section_curvature(surface, axis, position, chord_tolerance=None):
         if _is_backwards(curve.points, axis):
             stretches = [(p[::-1], c[::-1]) for p, c in reversed(stretches)]
         for points, curvatures in stretches:
-            along = np.concatenate(
-                [[0.0], np.cumsum(np.linalg.norm(np.diff(points, axis=0), axis=1))]
-            )
+            along = lengths_along(points)
             rows.append(np.column_stack([at + along, curvatures, points]))
             rows.append(np.full((1, 5), np.nan))
             at += along[-1]

@@ -5,6 +5,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from .polylines import length_of
+
 MOST_FRAMES = 2000
 _ROMAN = [
     (1000, "M"), (900, "CM"), (500, "D"), (400, "CD"), (100, "C"), (90, "XC"),
@@ -119,7 +121,7 @@ def frame_rows(table, surface=None, *, mirrored=False):
         }
         if surface is not None:
             points = np.concatenate([c.points for c in cut]) if cut else np.zeros((1, 3))
-            girth = sum(np.linalg.norm(np.diff(c.points, axis=0), axis=1).sum() for c in cut)
+            girth = sum(length_of(c.points) for c in cut)
             row |= {
                 "half_breadth_m": float(np.abs(points[:, 1]).max()),
                 "lowest_m": float(points[:, 2].min()),

@@ -8,6 +8,7 @@ import numpy as np
 from ._core import plane_across
 from ._drawing import ShopDrawing
 from .plate_lists import all_sides, form_of
+from .polylines import length_of
 from .shop_files import shop_ending, write_shop_drawings
 
 _STRETCH_LINES = 6
@@ -15,11 +16,6 @@ _STRETCH_LINES = 6
 _WORDS_OF_BREADTH, _LARGEST_WORDS = 0.25, 10.0
 # mm on paper, by the breadth in m: names on plates of the mill.
 _NAME = 10.0
-
-
-def length_of(line):
-    """Of a polyline (k, d)."""
-    return float(np.linalg.norm(np.diff(line, axis=0), axis=1).sum())
 
 
 def upright(angle):

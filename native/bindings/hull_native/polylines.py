@@ -13,8 +13,13 @@ _MOST_OF_BEND, _HALF_TURN = 0.6, 0.5
 
 
 def lengths_along(line):
-    """(n,) m: from the first point to each."""
+    """(n,) m: from the first point of (n, d) to each."""
     return np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(line, axis=0), axis=1))])
+
+
+def length_of(line):
+    """Of a line (n, d), m."""
+    return float(lengths_along(line)[-1])
 
 
 def points_at(line, parameters, at):

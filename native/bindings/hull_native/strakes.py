@@ -6,6 +6,7 @@ import numpy as np
 from ._core import plane_across, tolerances
 from ._production import HullCurves
 from .knuckle_ends import closing_butts
+from .polylines import length_of
 
 # A strake beside the centre line has this part of the others' breadth at least, where the girth is
 # largest.
@@ -23,7 +24,7 @@ def deck_edges(curves):
     borders = curves.borders()
     if not borders:
         raise ValueError("The hull has no border along a deck: give its seams yourself.")
-    long = [c for c in borders if np.ptp(c.points[:, 0]) > 0.5 * length_of_curve(c)]
+    long = [c for c in borders if np.ptp(c.points[:, 0]) > 0.5 * length_of(c.points)]
     beside = [c for c in long if not is_central(c)]
     if beside:
         return [c for c in beside if not any(_is_below(c, other) for other in beside)]
@@ -102,11 +103,6 @@ def shell_seams(surface, *, strake, plate_length, tolerance=None):
     return curves, seams + butts + closing_butts(surface, curves, seams)
 
 
-def length_of_curve(curve):
-    """Of a SurfaceCurve by its chords, m."""
-    return float(np.linalg.norm(np.diff(curve.points, axis=0), axis=1).sum())
-
-
 def _letters(k):
     """A … Z, AA …"""
     text = ""
@@ -158,7 +154,7 @@ def staggered_butts(curves, seams, ends, apart, shortest):
             for curve in curves.in_plane(plane_across("x", at), f"Butt {at:.2f}"):
                 pieces = curves.pieces(curve, seams)
                 pieces.sort(key=lambda c: -c.points[:, 2].max())
-                made += [p for p in pieces[row::2] if length_of_curve(p) > shortest]
+                made += [p for p in pieces[row::2] if length_of(p.points) > shortest]
     return made
 
 
