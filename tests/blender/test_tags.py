@@ -131,6 +131,16 @@ def test_tags_work_on_a_mesh_that_is_no_hull():
     assert not bpy.ops.hull.select_creases.poll()
 
 
+@pytest.mark.parametrize("operator", ["tag_crease", "tag_corner", "tag_by_angle"])
+def test_tags_of_a_mesh_that_is_hidden_while_edited(operator):
+    hull = add_hull()
+    edit(hull)
+    bpy.ops.mesh.select_all(action="SELECT")
+    hull.hide_set(True)
+    with pytest.raises(RuntimeError, match="What is edited is hidden here: show it"):
+        getattr(bpy.ops.hull, operator)()
+
+
 def test_tags_are_given_in_all_meshes_that_are_edited():
     boxes = [add_hull("one"), add_hull("other")]
     for box in boxes:

@@ -12,13 +12,21 @@ from ..bridge.blender import blender_versions
 from .shared import BaseOperator, in_mesh_edit_mode
 
 
+def _edited(context):
+    """The objects in edit mode that are seen; ValueError where none is."""
+    objects = context.objects_in_mode_unique_data
+    if not objects:
+        raise ValueError("What is edited is hidden here: show it in the outliner first")
+    return objects
+
+
 def _tag_selection(context, edge_value, vertex_value, nothing_selected):
     """Gives crease values to selected edges and vertices; None leaves their values.
 
     ValueError with the text `nothing_selected` when no element is to be tagged.
     """
     tagged = 0
-    for obj in context.objects_in_mode_unique_data:
+    for obj in _edited(context):
         bm = bmesh.from_edit_mesh(obj.data)
         edge_layer, vertex_layer = blender_versions.ensure_crease_layers(bm)
         count = 0
@@ -93,7 +101,7 @@ class HULL_OT_tag_by_angle(bpy.types.Operator, TagOperator):
     )
 
     def run(self, context):
-        judged, creased = np.sum([self._tag(o) for o in context.objects_in_mode_unique_data], 0)
+        judged, creased = np.sum([self._tag(obj) for obj in _edited(context)], 0)
         if not judged:
             raise ValueError("Select the edges to judge by their angle first")
         self.tell("INFO", f"{creased} of {judged} edges are creases")

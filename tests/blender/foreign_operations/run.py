@@ -25,7 +25,7 @@ sys.path[:0] = [str(TESTS / "blender"), str(TESTS / "window")]
 from addon_under_test import part  # noqa: E402
 from foreign_operations import oracle  # noqa: E402
 from foreign_operations.session import Session  # noqa: E402
-from foreign_operations.view import in_view, open_sidebar  # noqa: E402
+from foreign_operations.view import in_view, make_small, open_sidebar  # noqa: E402
 
 # Of the clock: what hangs ends here. Other work on the machine may slow long jobs down.
 LONGEST_STEP_SECONDS = 900
@@ -133,11 +133,13 @@ class InWindow:
         return 0.0
 
     def _advance(self):
+        # The plain view draws other things, and at other times, than one beside panels.
+        has_sidebar = self._arguments[0] % 2 == 1
         if self._run is None:
             self._run = Run(*self._arguments)
+            make_small(has_sidebar)
         elif self._events is None:  # what was loaded has been drawn
-            # The plain view draws other things, and at other times, than one beside panels.
-            self._events = open_sidebar() if self._arguments[0] % 2 else []
+            self._events = open_sidebar() if has_sidebar else []
         elif self._events:
             self._events.pop(0)()
         elif not (self._done and self._waits()):

@@ -13,6 +13,8 @@ from .view import in_view
 
 MOST_FACES = 1500
 MOST_OBJECTS = 14
+# Faces of children, times faces or points of the parents that they are shown on.
+MOST_INSTANCED = 30000
 FEWEST_HULLS, MOST_HULLS = 2, 5
 MODES = ("OBJECT", "EDIT", "EDIT", "SCULPT", "VERTEX_PAINT", "WEIGHT_PAINT")
 
@@ -75,6 +77,7 @@ class Session:
 
     def finish(self, name):
         bpy.context.view_layer.update()
+        self._show_fewer()
         bpy.ops.ed.undo_push(message=name)
         bpy.context.view_layer.update()
 
@@ -91,6 +94,17 @@ class Session:
             self.finish(done[:60])
         bpy.context.view_layer.update()
         return done
+
+    @staticmethod
+    def _show_fewer():
+        """Children shown on each face of a large mesh take minutes to draw by the processor."""
+        for obj in bpy.context.view_layer.objects:
+            if obj.type != "MESH" or obj.instance_type not in ("FACES", "VERTS"):
+                continue
+            places = max(len(obj.data.polygons), len(obj.data.vertices))
+            faces = sum(len(child.data.polygons) for child in obj.children if child.type == "MESH")
+            if places * faces > MOST_INSTANCED:
+                obj.instance_type = "NONE"
 
     # Each of these returns what was done.
 
