@@ -11,7 +11,7 @@ from . import operators
 from .own_work import OwnWork
 from .view import in_view
 
-MOST_FACES = 1500
+MOST_FACES = 500
 MOST_OBJECTS = 14
 # Faces of children, times faces or points of the parents that they are shown on.
 MOST_INSTANCED = 30000
