@@ -22,9 +22,9 @@ _FEWEST_DIGITS = 4
 
 _NUMBER = r"[-+]?\d+(?:\.\d+)?(?:e[-+]?\d+)?"
 # What stands between numbers that share the unit after the last: "x 1, y 2, z 3 m", "1 to 2 m".
-_BETWEEN = r"(?:, (?:and )?| and | to | × | by )(?:[xyz] (?:= )?)?"
+_BETWEEN = r"(?:, (?:and )?| and | to | × | by |–)(?:[xyz] (?:= )?)?"
 _QUANTITY = re.compile(
-    rf"(?<![\w.(])({_NUMBER}(?:{_BETWEEN}{_NUMBER})*) (1/m|mm|m²|m³|m⁴|m|t/m³|t|kN|kW)"
+    rf"(?<![\w.(–-])({_NUMBER}(?:{_BETWEEN}{_NUMBER})*) (1/m|mm|m²|m³|m⁴|m|t/m³|t|kN|kW)"
     r"(?![\w·/²³⁴-])"
     rf"|\(({_NUMBER}(?:, {_NUMBER})+)\) (m)(?![\w-])"
 )
