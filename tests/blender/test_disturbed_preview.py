@@ -5,7 +5,7 @@ its fields meanwhile: where the points were is never lost, and no handler fails.
 import bpy
 import numpy as np
 import pytest
-from addon_under_test import make_active, part, state_of
+from addon_under_test import add_hull, make_active, part, state_of
 from edited_hulls import edit
 from test_field_preview import changed, previewed, shown
 from test_fields import add, points_of, sample, side_point
@@ -65,6 +65,27 @@ def test_a_copy_that_shares_the_mesh_waits_until_it_has_its_own():
         make_active(one)
         assert bpy.ops.hull.cancel_fields() == {"FINISHED"}
         assert np.array_equal(points_of(one), before)
+
+
+@pytest.mark.parametrize("is_first", [True, False])
+def test_what_is_kept_for_another_hull_of_the_mesh_is_told(is_first, monkeypatch):
+    """A whole hull is previewed on the mesh of a half one, whose centre line stays where it is.
+    Which of them follows first is otherwise by chance."""
+    half = add_hull("box")
+    whole = linked_copy(half)
+    whole.hull.half = False
+    edit(whole)
+    add(whole, (0.0, 2.0, 3.0), base="CREASE", extent=2.5, shift=(0.3, -0.4, -0.5))
+    follow, context = part("handlers.follow"), bpy.context
+    monkeypatch.setattr(follow, "_is_following", True)
+    bpy.ops.hull.preview_fields()
+    changed()
+    assert np.sum(points_of(half)[:, 1] == 0.0) < 4 and shown(whole).problem == ""
+    monkeypatch.setattr(follow, "_is_following", False)
+    hulls = [whole, half] if is_first else [half, whole]
+    follow._follow(hulls, context.scene, context.view_layer)
+    assert np.sum(points_of(half)[:, 1] == 0.0) == 4
+    assert "Points or faces were changed" in shown(whole).problem
 
 
 def test_apply_ends_the_preview_of_all_that_share_the_mesh():

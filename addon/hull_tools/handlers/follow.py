@@ -42,6 +42,7 @@ def _follow(hulls, scene, view_layer, is_by_hand=True):
         # What was kept in its place for one hull has moved in all that share its mesh.
         for hull in hull_state.with_shared_mesh(hulls, view_layer):
             hull_state.refresh(hull, scene)
+            preview.notice_moves(hull)
         studio.ask(hulls, scene)
         following.ask(live_analyses.show_plots_of_active)
         live_analyses.show_plots(hull_objects.hull_of(view_layer.objects.active), scene)

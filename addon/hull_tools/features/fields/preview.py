@@ -83,6 +83,16 @@ def follow(obj, scene):
         hull_state.follow_edit(obj, scene, is_by_hand=False, placed=placed)
 
 
+def notice_moves(obj):
+    """After what is kept for another hull that shares the mesh was put in its place: a hull that is
+    previewed says so where its points moved by that."""
+    preview = of_hull(obj)
+    if preview is None or preview.problem or start_points.read(obj.data) is None:
+        return
+    if not _is_as_shown(obj):
+        preview.put_off(_FOREIGN)
+
+
 def placed(obj, scene, found, keep):
     """For hull_state.follow_edit: has the points of a hull that is previewed go where its fields,
     where they changed, take them. What cannot be leaves them as they are, with a problem."""
