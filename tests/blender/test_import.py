@@ -58,9 +58,9 @@ def test_hull_files_are_mended_as_models_of_others_are(tmp_path):
     assert mesh_points(hull)[:, 1].min() == 0.0 and mesh_points(hull)[:, 1].max() == 2.0
     operator = part("operators.import_hull")
     told = []
-    reports = SimpleNamespace(report=lambda kinds, text: told.append((kinds, text)))
+    reports = SimpleNamespace(tell=lambda level, text: told.append((level, text)))
     operator._import(reports, bpy.context, str(path))
-    said = [text for kinds, text in told if kinds == {"WARNING"}]
+    said = [text for level, text in told if level == "WARNING"]
     assert any("mirrored to port" in text for text in said)
     assert any("were split" in text for text in said)
 
