@@ -80,7 +80,7 @@ def test_what_panels_say(hull):
 
 def test_refusals():
     bpy.context.scene.unit_settings.system = "IMPERIAL"
-    with pytest.raises(RuntimeError, match=r"The length is 1e\+0\d m|give at most [\d.]+ ft"):
+    with pytest.raises(RuntimeError, match=r"give at most [\d.]+ ft"):
         bpy.ops.hull.add_hull(kind="BARGE", length=1e9)
 
 

@@ -68,14 +68,15 @@ class Shown:
         return f"{digits} {symbol}"
 
     def plot_sizes(self):
-        """Of hull_native.PlotUnits."""
+        """{metric symbol: (size of the unit that stands for it, its symbol)} of those that another
+        does, as hull_native.PlotUnits takes them."""
         if not self.is_imperial:
             return {}
         sizes = {_METRIC_SYMBOLS[unit]: found for unit, found in _IMPERIAL.items()}
         return {**sizes, "1/m": (1.0 / _FOOT, "1/ft")}
 
 
-METRIC = Shown()
+METRIC, IMPERIAL = Shown(), Shown(is_imperial=True)
 
 
 def shown_in(scene):
