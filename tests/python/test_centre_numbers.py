@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""How near to the centre plane a point is in it is told once: no Python source has a number of its
-own for it, whether by name or beside a y."""
+"""How near to the centre plane a point is in it is told once: no source has a number of its own for
+it, whether by name or beside a y."""
 
 import ast
+import re
 from pathlib import Path
 
 import hull_native as hn
@@ -20,6 +21,20 @@ OWN = {
     # Triangles of other programs, put there.
     "python/hull_fitting/half_meshes.py": {"_TO_CENTRE_PLANE"},
 }
+
+# Of the C++ sources: the same, by file.
+OWN_NATIVE = {
+    "mesh/tolerances.h": {"kOnCentrePlane", "kNearCentrePlane", "kAtCentreLine", "kInPlane"},
+    # More than kOnCentrePlane, so that what is not in the plane stays out of it.
+    "morphing/features/layout_fitting.cpp": {"kOffCentrePlane"},
+    # Planes of sections, curves and cuts.
+    "analysis/sections/section_curves.cpp": {"kOnPlane"},
+    "analysis/fairness/curve_fairness.cpp": {"kPlaneCurve"},
+    "production/segments/segment_grid.cpp": {"kSamePlane"},
+}
+_NUMBER = r"(\d[\d.]*e-\d+)"
+_NAMED = re.compile(rf"\b(k\w*(?:Centre|Plane|Image|Mirror)\w*) = {_NUMBER}")
+_BESIDE_Y = re.compile(rf"(\by\(\)\)?\s*[<>]=?\s*-?{_NUMBER})")
 
 
 def is_small(node):
@@ -112,6 +127,26 @@ def test_no_source_has_a_number_of_its_own(folder):
         wrong = [one for one in found if one[0] not in OWN.get(name, ())]
         assert wrong == [], f"{name}: use hull_native.tolerances, or hull_io.mirror"
         assert OWN.get(name, set()) <= {what for what, _ in found}, name
+
+
+def found_in_native(text):
+    """Names, or comparisons, as above."""
+    found = [*_NAMED.findall(text), *_BESIDE_Y.findall(text)]
+    return [what for what, number in found if 0.0 < float(number) <= _LARGEST]
+
+
+def test_numbers_of_native_sources_are_found():
+    assert found_in_native("constexpr double kOnPlane = 1e-9;  // of the size") == ["kOnPlane"]
+    assert found_in_native("if (std::abs(p.y()) <= 1e-7 * size) {")
+    assert not found_in_native("if (std::abs(p.y()) <= kOnCentrePlane * size) {")
+
+
+@pytest.mark.parametrize("ending", ["*.h", "*.cpp"])
+def test_no_native_source_has_a_number_of_its_own(ending):
+    for path in sorted((ROOT / "native").rglob(ending)):
+        name = path.relative_to(ROOT / "native").as_posix()
+        found = set(found_in_native(path.read_text(encoding="utf-8")))
+        assert found == OWN_NATIVE.get(name, set()), f"{name}: use mesh/tolerances.h"
 
 
 @pytest.mark.parametrize("name", OWN["python/hull_io/mirror.py"])

@@ -10,7 +10,9 @@ namespace {
 // both sides are modelled, or the port one. As in hull_io's sides.py.
 constexpr double kBothSides = 0.5;
 
-constexpr double kNoise = 1e-3;  // across the centre plane, of the breadth
+// A whole hull that reaches to port by less than this part of its reach to starboard has nothing
+// there: what is left is centre plane, however it was modelled.
+constexpr double kNothingToPort = 1e-3;
 
 }  // namespace
 
@@ -20,7 +22,7 @@ std::string missing_port_side(const surface::LimitSurface& surface, bool mirrore
     port = std::max(port, p.y());
     starboard = std::max(starboard, -p.y());
   }
-  if (port >= (mirrored ? kBothSides : kNoise) * starboard) return {};
+  if (port >= (mirrored ? kBothSides : kNothingToPort) * starboard) return {};
   if (!mirrored) return "Nothing of the hull lies to port (y > 0): mirror it to port.";
   return "The half hull lies to starboard (y < 0), but the half that counts twice is the port one: "
          "mirror it to port.";

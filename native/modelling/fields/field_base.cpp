@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "mesh/tolerances.h"
 #include "surface/queries/closest_point.h"
 #include "surface/queries/surface_tree.h"
 
@@ -46,7 +47,8 @@ class PlaneBase final : public FieldBase {
     return plane && plane->point_ == point_ && plane->normal_ == normal_;
   }
   bool is_in_centre_plane(double near) const override {
-    return std::abs(normal_.x()) + std::abs(normal_.z()) == 0.0 && std::abs(point_.y()) <= near;
+    const bool is_parallel = std::hypot(normal_.x(), normal_.z()) <= kOnCentrePlane;
+    return is_parallel && std::abs(point_.y()) <= near;
   }
 
  private:

@@ -12,6 +12,12 @@ using Eigen::Matrix3d;
 
 const Vector3d kMirror(1.0, -1.0, 1.0);
 
+// Whether the point is looked at by its image. Of a base in the plane that is what is to starboard:
+// by the rounding that such a base may be off, the two sides would differ.
+bool is_by_image(const Vector3d& p, FieldSide side) {
+  return side == FieldSide::kImage || (side == FieldSide::kBoth && p.y() < 0.0);
+}
+
 // From a rim: delta² (2 - delta) in place of delta, which goes from 0 to 1 as that does, and so
 // flatly at the rim that no curvature jumps there.
 Intensity rim_intensity(double delta, double kappa) {
@@ -119,12 +125,12 @@ double reach_of(const ShapeField& field) {
   return field.extent.is_constant() ? field.extent.values().front() : surface::kInfinity;
 }
 
-BaseFoot foot_of(const ShapeField& field, const Vector3d& p, bool is_image, double within) {
-  const Vector3d own = is_image ? Vector3d(kMirror.cwiseProduct(p)) : p;
+BaseFoot foot_of(const ShapeField& field, const Vector3d& p, FieldSide side, double within) {
+  const Vector3d own = is_by_image(p, side) ? Vector3d(kMirror.cwiseProduct(p)) : p;
   return field.base->foot_within(own, varies(field), within);
 }
 
-Share share_of(const ShapeField& field, const BaseFoot& foot, bool is_image, bool stays_in_plane) {
+Share share_of(const ShapeField& field, const BaseFoot& foot, const Vector3d& p, FieldSide side) {
   Share share{&field, 0.0, 1.0, Vector3d::Zero(), Vector3d::Zero(), Matrix3d::Zero()};
   if (foot.distance == surface::kInfinity) return share;  // beyond what was looked for
   const Intensity found = intensity_at(field, foot, share.slope);
@@ -136,11 +142,12 @@ Share share_of(const ShapeField& field, const BaseFoot& foot, bool is_image, boo
     share.shift = shift.value;
     share.shift_slope = shift.slope * foot.length_slope.transpose();
   }
-  if (is_image) {
+  if (is_by_image(p, side)) {
     share.slope = kMirror.cwiseProduct(share.slope);
     share.shift = kMirror.cwiseProduct(share.shift);
     share.shift_slope = kMirror.asDiagonal() * share.shift_slope * kMirror.asDiagonal();
-  } else if (stays_in_plane) {
+  }
+  if (side == FieldSide::kBoth) {
     share.shift.y() = 0.0;
     share.shift_slope.row(1).setZero();
   }

@@ -24,9 +24,10 @@ double reach_of(const ShapeField& field);
 
 // At a point, or for the image of the field at the point's image; within, m, as of
 // FieldBase::foot_within().
-BaseFoot foot_of(const ShapeField& field, const Vector3d& p, bool is_image, double within);
+BaseFoot foot_of(const ShapeField& field, const Vector3d& p, FieldSide side, double within);
 
-Share share_of(const ShapeField& field, const BaseFoot& foot, bool is_image, bool stays_in_plane);
+// Of the foot that foot_of() found at the same point for the same side.
+Share share_of(const ShapeField& field, const BaseFoot& foot, const Vector3d& p, FieldSide side);
 
 struct Blended {
   double value;

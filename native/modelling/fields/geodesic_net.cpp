@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "mesh/tolerances.h"
 #include "surface/queries/closest_point.h"
 #include "surface/sampling/tessellation.h"
 
@@ -17,7 +18,6 @@ namespace {
 
 constexpr double kNetPoints = 50000.0;
 constexpr int kLeastPerSide = 2, kMostPerSide = 16;
-constexpr double kOnPlane = 1e-9;  // of the size
 // Of the longest side or diagonal at a point of the net: a base so near begins there.
 constexpr double kBegins = 0.75;
 // Of the spacing: up to where straight distances are taken, and from where on none are.
@@ -96,7 +96,7 @@ GeodesicNet::GeodesicNet(const surface::LimitSurface& surface, bool mirrored)
   points_ = std::move(net.points);
   quads_ = std::move(net.quads);
   own_quads_ = quads_.size();
-  near_ = kOnPlane * tree_.error_size();
+  near_ = kOnCentrePlane * surface.mesh().size();
   side_ = tree_.box().max().y() >= -tree_.box().min().y() ? 1.0 : -1.0;
   if (mirrored_) {
     const int own = static_cast<int>(points_.size());

@@ -8,15 +8,18 @@
 #include <string>
 #include <utility>
 
+#include "mesh/tolerances.h"
 #include "modelling/fields/field_blend.h"
 #include "surface/parallel_for.h"
 
 namespace hull::modelling {
 namespace {
 
-// Of the extent: a base so near the centre plane is its own image. Two images so near would shift
-// points twice as far as one does.
-constexpr double kOwnImage = 1e-9;
+// Of the extent: a base so near the centre plane is meant to be in it, and its own image. Two
+// images so near would shift points twice as far as one does. Of the extent and not of the hull,
+// since only against that is it next to nothing; the single precision in which bases are drawn
+// leaves 1e-7 of the hull, more of short extents.
+constexpr double kOwnImage = kNearCentrePlane;
 // What varies along a base is looked at in so many places between two of its values.
 constexpr int kLooked = 32;
 // Feet are found up to so many extents, so that they need not be found anew when it grows a little.
@@ -65,8 +68,8 @@ ShapeFields::ShapeFields(std::vector<ShapeField> fields, bool mirrored, FieldBle
     }
     const double extent = *std::ranges::min_element(field.extent.values());
     is_in_plane_.push_back(mirrored && field.base->is_in_centre_plane(kOwnImage * extent));
-    sides_.push_back({i, false});
-    if (mirrored_ && !is_in_plane_[i]) sides_.push_back({i, true});
+    sides_.push_back({i, is_in_plane_[i] ? FieldSide::kBoth : FieldSide::kOwn});
+    if (mirrored_ && !is_in_plane_[i]) sides_.push_back({i, FieldSide::kImage});
   }
 }
 
@@ -86,14 +89,13 @@ bool ShapeFields::may_move(const std::vector<BaseFoot>& feet) const {
   return false;
 }
 
-FieldShift ShapeFields::blended(Scratch& scratch) const {
+FieldShift ShapeFields::blended(const Vector3d& p, Scratch& scratch) const {
   FieldShift result{Vector3d::Zero(), Eigen::Matrix3d::Zero()};
   if (!may_move(scratch.feet)) return result;
   scratch.shares.clear();
   for (std::size_t i = 0; i < sides_.size(); ++i) {
-    const auto [field, is_image] = sides_[i];
-    scratch.shares.push_back(
-        share_of(fields_[field], scratch.feet[i], is_image, is_in_plane_[field]));
+    const auto [field, side] = sides_[i];
+    scratch.shares.push_back(share_of(fields_[field], scratch.feet[i], p, side));
   }
   for (int axis = 0; axis < 3; ++axis) {
     const Blended found = blend_along(scratch.shares, axis, blend_, scratch.working);
@@ -111,21 +113,21 @@ std::vector<FieldShift> ShapeFields::at(const std::vector<Vector3d>& points) con
     Scratch scratch;
     for (std::size_t i = begin; i < end; ++i) {
       scratch.feet.clear();
-      for (const auto& [field, is_image] : sides_) {
+      for (const auto& [field, side] : sides_) {
         const ShapeField& own = fields_[field];
-        scratch.feet.push_back(foot_of(own, points[i], is_image, reach_of(own)));
+        scratch.feet.push_back(foot_of(own, points[i], side, reach_of(own)));
       }
-      result[i] = blended(scratch);
+      result[i] = blended(points[i], scratch);
     }
   });
   return result;
 }
 
-std::shared_ptr<FieldPlaces::Feet> FieldPlaces::found(const FieldBase& base, bool is_image,
+std::shared_ptr<FieldPlaces::Feet> FieldPlaces::found(const FieldBase& base, FieldSide side,
                                                       bool with_length, double within) const {
   const auto known = std::ranges::find_if(known_, [&](const auto& feet) {
-    return feet->is_image == is_image && feet->with_length >= with_length &&
-           feet->within >= within && feet->base->is_same(base);
+    return feet->side == side && feet->with_length >= with_length && feet->within >= within &&
+           feet->base->is_same(base);
   });
   return known == known_.end() ? nullptr : *known;
 }
@@ -143,24 +145,24 @@ std::vector<BaseFoot> FieldPlaces::forget_all_but(const std::vector<std::shared_
 
 std::vector<FieldShift> ShapeFields::at(FieldPlaces& places) const {
   std::vector<std::shared_ptr<FieldPlaces::Feet>> own;
-  for (const auto& [index, is_image] : sides_) {
+  for (const auto& [index, side] : sides_) {
     const ShapeField& field = fields_[index];
-    own.push_back(places.found(*field.base, is_image, varies(field), reach_of(field)));
+    own.push_back(places.found(*field.base, side, varies(field), reach_of(field)));
   }
-  for (std::size_t side = 0; side < sides_.size(); ++side) {
-    if (own[side]) continue;
-    const auto [index, is_image] = sides_[side];
+  for (std::size_t k = 0; k < sides_.size(); ++k) {
+    if (own[k]) continue;
+    const auto [index, side] = sides_[k];
     const ShapeField& field = fields_[index];
     const double within = kAhead * reach_of(field);
     auto feet = std::make_shared<FieldPlaces::Feet>(
-        FieldPlaces::Feet{field.base, is_image, varies(field), within, places.forget_all_but(own)});
+        FieldPlaces::Feet{field.base, side, varies(field), within, places.forget_all_but(own)});
     feet->feet.resize(places.points_.size());
-    for_ranges(places.points_.size(), [&, image = is_image](std::size_t begin, std::size_t end) {
+    for_ranges(places.points_.size(), [&, which = side](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
-        feet->feet[i] = foot_of(field, places.points_[i], image, within);
+        feet->feet[i] = foot_of(field, places.points_[i], which, within);
       }
     });
-    own[side] = std::move(feet);
+    own[k] = std::move(feet);
   }
   std::vector<FieldShift> result(places.points_.size());
   for_ranges(result.size(), [&](std::size_t begin, std::size_t end) {
@@ -168,7 +170,7 @@ std::vector<FieldShift> ShapeFields::at(FieldPlaces& places) const {
     for (std::size_t i = begin; i < end; ++i) {
       scratch.feet.clear();
       for (const auto& of_side : own) scratch.feet.push_back(of_side->feet[i]);
-      result[i] = blended(scratch);
+      result[i] = blended(places.points_[i], scratch);
     }
   });
   places.known_ = std::move(own);
@@ -177,7 +179,8 @@ std::vector<FieldShift> ShapeFields::at(FieldPlaces& places) const {
 
 double ShapeFields::delta(int field, const Vector3d& p) const {
   const auto of = [&](const Vector3d& at) {
-    const BaseFoot foot = foot_of(fields_[field], at, false, surface::kInfinity);
+    const FieldSide side = is_in_plane_[field] ? FieldSide::kBoth : FieldSide::kOwn;
+    const BaseFoot foot = foot_of(fields_[field], at, side, surface::kInfinity);
     return foot.distance / fields_[field].extent.at(foot.length).value;
   };
   const double own = of(p);

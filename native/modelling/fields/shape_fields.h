@@ -36,6 +36,9 @@ enum class FieldBlend {
   kExact
 };
 
+// A field itself, its image in the centre plane, or the two in one, where the base is in the plane.
+enum class FieldSide { kOwn, kImage, kBoth };
+
 struct FieldShift {
   Vector3d shift;            // m
   Eigen::Matrix3d gradient;  // of the shift by the point: row i is that of coordinate i
@@ -54,13 +57,14 @@ class FieldPlaces {
   friend class ShapeFields;
   struct Feet {
     std::shared_ptr<const FieldBase> base;
-    bool is_image, with_length;
+    FieldSide side;
+    bool with_length;
     double within;  // m: those farther are not known
     std::vector<BaseFoot> feet;
   };
 
   // What is known of a base; nothing where that is not so.
-  std::shared_ptr<Feet> found(const FieldBase& base, bool is_image, bool with_length,
+  std::shared_ptr<Feet> found(const FieldBase& base, FieldSide side, bool with_length,
                               double within) const;
   // Keeps these alone of what is known. The memory of one of the others; empty where there is none.
   std::vector<BaseFoot> forget_all_but(const std::vector<std::shared_ptr<Feet>>& kept);
@@ -72,8 +76,8 @@ class FieldPlaces {
 // Fields that together shift points of space.
 //
 // `mirrored`: each field works on both sides of the centre plane, so that the shift is symmetric
-// about it; a point on it stays on it. A base in the plane, within 1e-9 of the extent, is its own
-// image.
+// about it; a point on it stays on it. A base in the plane, within 1e-4 of the extent, is its own
+// image: what is to starboard is shifted as its image is.
 //
 // Protection comes first: within a protecting field no base gets all of its shift. Where bases with
 // different shifts meet, none can be met by all: there the shift is their mean.
@@ -96,20 +100,20 @@ class ShapeFields {
   const std::vector<ShapeField>& fields() const { return fields_; }
 
  private:
-  // A field, or its image.
+  // A field, or its image, or both in one.
   struct Side {
     std::size_t field;
-    bool is_image;
+    FieldSide side;
   };
   struct Scratch;
   // By the foot of each side, which are in the scratch.
-  FieldShift blended(Scratch& scratch) const;
+  FieldShift blended(const Vector3d& p, Scratch& scratch) const;
   // Whether a foot is within the extent of a field that moves, or may be.
   bool may_move(const std::vector<BaseFoot>& feet) const;
 
   std::vector<ShapeField> fields_;
   std::vector<Side> sides_;
-  std::vector<char> is_in_plane_;
+  std::vector<char> is_in_plane_;  // by field: it has one side, FieldSide::kBoth
   FieldBlend blend_;
   bool mirrored_;
 };

@@ -195,6 +195,30 @@ TEST_P(Blends, AreSymmetricAboutTheCentrePlane) {
   }
 }
 
+// Bases that are meant to be in the plane, and off it by what single precision leaves: no two of
+// them, which would shift up to twice as far.
+TEST_P(Blends, BasesBesideTheCentrePlaneByRoundingAreInIt) {
+  const auto fields_off = [&](double off) {
+    std::vector<ShapeField> fields{
+        field_at({1, off, 0}, 1.5, {0.1, 0, 0.3}),
+        field_along({{2, off, 1}, {3, -off, 2}, {5, off, 2}}, 2.0, {0, 0, -0.2})};
+    fields.push_back(field_at({0, 0, 0}, 1.0, {0.2, 0, 0}));
+    fields.back().base = plane_base({2, -off, 0}, {off, 1, -off});
+    return ShapeFields(fields, true, GetParam());
+  };
+  const ShapeFields exact = fields_off(0.0), noisy = fields_off(5e-7);
+  std::mt19937 random(13);
+  std::uniform_real_distribution<double> part(0.0, 1.0);
+  for (int k = 0; k < 500; ++k) {
+    const Vector3d p(6 * part(random), part(random), -1 + 3 * part(random)),
+        image(p.x(), -p.y(), p.z());
+    const Vector3d shift = noisy.at(p).shift, other = noisy.at(image).shift;
+    EXPECT_LT((shift - exact.at(p).shift).norm(), 1e-5);
+    EXPECT_EQ(shift, Vector3d(other.x(), -other.y(), other.z()));
+    EXPECT_EQ(noisy.at({p.x(), 0, p.z()}).shift.y(), 0.0);
+  }
+}
+
 TEST_P(Blends, NothingBeyondTheExtents) {
   const ShapeFields fields(varied_fields(), true, GetParam());
   for (const Vector3d& p : Points{{-3, 1, 0}, {9, 2, 0}, {3, 6, 0}, {2, 1, 7}}) {
