@@ -143,7 +143,7 @@ int ClosedShell::find_crossings(const CubicArc& arc, std::vector<ArcCrossing>& c
   return parts;
 }
 
-bool ClosedShell::is_inside(const Vector3d& point, int* parts_left) const {
+bool ClosedShell::is_inside(const Vector3d& point, PartsLeft* parts_left) const {
   if (!box().contains(point)) return false;
   const double length = 2.0 * box().diagonal().norm();
   std::vector<ArcCrossing> crossings;

@@ -2,11 +2,15 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <atomic>
 #include <vector>
 
 #include "analysis/appendages/arc_crossings.h"
 
 namespace hull::analysis {
+
+// How many parts of lines may be looked at still, by all threads together.
+using PartsLeft = std::atomic<int>;
 
 // A body by bicubic patches that enclose it, S_u x S_v outwards, in a hierarchy of boxes: what is
 // inside, and where arcs pass through its surface. Immutable; queries are thread-safe.
@@ -27,7 +31,7 @@ class ClosedShell {
   int find_crossings(const CubicArc& arc, std::vector<ArcCrossing>& crossings) const;
   // By how often a line to the outside passes the surface outwards: of a point on the surface
   // either answer. The parts that were looked at are taken off *parts_left, if any.
-  bool is_inside(const Vector3d& point, int* parts_left = nullptr) const;
+  bool is_inside(const Vector3d& point, PartsLeft* parts_left = nullptr) const;
 
  private:
   // A range of patches; leaves have no nodes below.

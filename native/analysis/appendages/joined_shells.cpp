@@ -3,15 +3,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <iterator>
 #include <limits>
 #include <stdexcept>
 
 #include "analysis/appendages/piece_integrals.h"
+#include "surface/parallel_for.h"
 
 namespace hull::analysis {
 namespace {
 
 constexpr int kMostHalvingsOfPatch = 16;
+constexpr std::size_t kPatchGrain = 4;  // patches that a thread takes at a time
 // Of all patches together, before surfaces count as entangled: looks at other members, twenty times
 // what samples with appendages take.
 constexpr int kMostLooks = 1000000;
@@ -24,6 +28,14 @@ double volume_of(const Eigen::AlignedBox3d& box) { return box.sizes().prod(); }
 double area_of(const Eigen::AlignedBox3d& box) {
   const Vector3d s = box.sizes();
   return s.x() * s.y() + s.y() * s.z() + s.z() * s.x();
+}
+
+// On all processors, as finding where one patch meets others takes up to milliseconds.
+void for_each(std::size_t count, const std::function<void(std::size_t)>& work) {
+  const auto all = [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) work(i);
+  };
+  surface::parallel_for(count, surface::kAllProcessors, all, kPatchGrain);
 }
 
 double extent(const surface::BezierPatch& patch, int axis) {
@@ -43,24 +55,32 @@ double extent(const surface::BezierPatch& patch, int axis) {
 }  // namespace
 
 JoinedShells::JoinedShells(std::vector<JoinedMember> members, const Vector3d& origin,
-                           double tolerance, int* parts_left)
+                           double tolerance, PartsLeft* parts_left)
     : members_(std::move(members)),
       origin_(origin),
       tolerance_(tolerance),
       looks_left_(kMostLooks),
       parts_left_(parts_left) {
+  std::vector<Source> sources;
   for (std::size_t m = 0; m < members_.size(); ++m) {
     const std::vector<surface::BezierPatch>& patches = members_[m].shell.patches();
     for (std::size_t i = 0; i < patches.size(); ++i) {
       const bool has_area = members_[m].without_area.empty() || !members_[m].without_area[i];
-      collect(patches[i], static_cast<int>(m), has_area, 0);
+      sources.push_back({static_cast<int>(m), has_area, &patches[i]});
     }
   }
+  std::vector<std::vector<Piece>> found(sources.size());
+  for_each(sources.size(),
+           [&](std::size_t i) { collect(sources[i], *sources[i].patch, 0, found[i]); });
+  for (std::vector<Piece>& pieces : found) {
+    pieces_.insert(pieces_.end(), std::make_move_iterator(pieces.begin()),
+                   std::make_move_iterator(pieces.end()));
+  }
   try {
-    for (Piece& piece : pieces_) {
-      piece.moments = moments_of(piece, nullptr, parts_left);
-      whole_ += piece.moments;
-    }
+    for_each(pieces_.size(), [&](std::size_t i) {
+      pieces_[i].moments = moments_of(pieces_[i], nullptr, parts_left);
+    });
+    for (const Piece& piece : pieces_) whole_ += piece.moments;
   } catch (const SurfacesInOneAnother&) {
     refuse();
   }
@@ -82,10 +102,10 @@ bool JoinedShells::is_taken(int member, const std::vector<bool>& inside) const {
   return role == MemberRole::kHull ? is_gone : !is_gone;
 }
 
-void JoinedShells::collect(const surface::BezierPatch& patch, int member, bool has_area,
-                           int depth) {
-  looks_left_ -= static_cast<int>(members_.size());
-  if (looks_left_ < 0) refuse();
+void JoinedShells::collect(const Source& source, const surface::BezierPatch& patch, int depth,
+                           std::vector<Piece>& pieces) {
+  const int member = source.member;
+  if ((looks_left_ -= static_cast<int>(members_.size())) < 0) refuse();
   const Eigen::AlignedBox3d box = patch.box();
   const MemberRole role = members_[member].role;
   std::vector<int> near;
@@ -106,8 +126,8 @@ void JoinedShells::collect(const surface::BezierPatch& patch, int member, bool h
   if (std::max(u, v) > width && depth < kMostHalvingsOfPatch) {
     surface::BezierPatch low, high;
     patch.split(u > v ? 0 : 1, low, high);
-    collect(low, member, has_area, depth + 1);
-    collect(high, member, has_area, depth + 1);
+    collect(source, low, depth + 1, pieces);
+    collect(source, high, depth + 1, pieces);
     return;
   }
   surface::SurfaceJet jet;
@@ -122,19 +142,19 @@ void JoinedShells::collect(const surface::BezierPatch& patch, int member, bool h
   const double sign = role == MemberRole::kAdded ? 1.0 : -1.0;
   const double sense = role == MemberRole::kHull ? -1.0 : 1.0;
   const Eigen::AlignedBox3d& own = members_[member].shell.box();
-  pieces_.push_back({patch,
-                     member,
-                     sign,
-                     has_area ? sense : 0.0,
-                     near,
-                     within,
-                     {},
-                     tolerance_ * std::min(volume, volume_of(own)),
-                     10.0 * tolerance_ * std::min(area, area_of(own))});
+  pieces.push_back({patch,
+                    member,
+                    sign,
+                    source.has_area ? sense : 0.0,
+                    near,
+                    within,
+                    {},
+                    tolerance_ * std::min(volume, volume_of(own)),
+                    10.0 * tolerance_ * std::min(area, area_of(own))});
 }
 
 ShellMoments JoinedShells::moments_of(const Piece& piece, const Plane* water,
-                                      int* parts_left) const {
+                                      PartsLeft* parts_left) const {
   std::vector<const ClosedShell*> near;
   for (int m : piece.near) near.push_back(&members_[m].shell);
   std::vector<bool> within = piece.within;
@@ -155,22 +175,26 @@ ShellMoments JoinedShells::moments_of(const Piece& piece, const Plane* water,
   return moments;
 }
 
-ShellMoments JoinedShells::change(const Plane& water) const {
-  ShellMoments sum;
-  for (const Piece& piece : pieces_) {
-    double lowest = water.height(piece.patch.point(0)), highest = lowest;
-    for (int i = 1; i < 16; ++i) {
-      const double height = water.height(piece.patch.point(i));
-      lowest = std::min(lowest, height);
-      highest = std::max(highest, height);
-    }
-    if (lowest >= 0.0) continue;
-    try {
-      sum += highest <= 0.0 ? piece.moments : moments_of(piece, &water, nullptr);
-    } catch (const SurfacesInOneAnother&) {
-      refuse();
-    }
+ShellMoments JoinedShells::wet_moments_of(const Piece& piece, const Plane& water) const {
+  double lowest = water.height(piece.patch.point(0)), highest = lowest;
+  for (int i = 1; i < 16; ++i) {
+    const double height = water.height(piece.patch.point(i));
+    lowest = std::min(lowest, height);
+    highest = std::max(highest, height);
   }
+  if (lowest >= 0.0) return {};
+  return highest <= 0.0 ? piece.moments : moments_of(piece, &water, nullptr);
+}
+
+ShellMoments JoinedShells::change(const Plane& water) const {
+  std::vector<ShellMoments> wet(pieces_.size());
+  try {
+    for_each(pieces_.size(), [&](std::size_t i) { wet[i] = wet_moments_of(pieces_[i], water); });
+  } catch (const SurfacesInOneAnother&) {
+    refuse();
+  }
+  ShellMoments sum;
+  for (const ShellMoments& moments : wet) sum += moments;
   return sum;
 }
 

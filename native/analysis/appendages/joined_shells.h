@@ -43,10 +43,10 @@ class JoinedShells {
   // `origin`: moments are about it. `tolerance`: of integrals, relative to the smaller body of a
   // pair. Throws std::invalid_argument where surfaces lie in one another, as of a keel whose root
   // is in the plane of a flat bottom, or are so near to one another, so often, that *parts_left, of
-  // lines where they are divided to find where they cross (some three million a second), fall below
-  // zero.
+  // lines where they are divided to find where they cross, fall below zero; a processor looks at
+  // some three million a second.
   JoinedShells(std::vector<JoinedMember> members, const Vector3d& origin, double tolerance,
-               int* parts_left);
+               PartsLeft* parts_left);
 
   // What the wet surface has more than that of the hulls alone, about the origin.
   ShellMoments change(const Plane& water) const;
@@ -70,18 +70,28 @@ class JoinedShells {
     double volume_tolerance, area_tolerance;
   };
 
-  void collect(const surface::BezierPatch& patch, int member, bool has_area, int depth);
+  // A member's whole patch.
+  struct Source {
+    int member;
+    bool has_area;
+    const surface::BezierPatch* patch;
+  };
+
+  // Appends those of `patch`, which is the source's or, by halves, a part of it.
+  void collect(const Source& source, const surface::BezierPatch& patch, int depth,
+               std::vector<Piece>& pieces);
   // Whether a point of a member's surface counts, by what it is inside of.
   bool is_taken(int member, const std::vector<bool>& inside) const;
-  ShellMoments moments_of(const Piece& piece, const Plane* water, int* parts_left) const;
+  ShellMoments moments_of(const Piece& piece, const Plane* water, PartsLeft* parts_left) const;
+  ShellMoments wet_moments_of(const Piece& piece, const Plane& water) const;
   void check_closed() const;
   [[noreturn]] void refuse() const;
 
   std::vector<JoinedMember> members_;
   Vector3d origin_;
   double tolerance_;
-  int looks_left_;   // of patches at other members
-  int* parts_left_;  // while it is made
+  PartsLeft looks_left_;   // of patches at other members
+  PartsLeft* parts_left_;  // while it is made
   std::vector<Piece> pieces_;
   ShellMoments whole_;
 };

@@ -3,12 +3,14 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <optional>
 #include <stdexcept>
 #include <utility>
 
 #include "analysis/appendages/hull_members.h"
+#include "surface/parallel_for.h"
 
 namespace hull::analysis {
 namespace {
@@ -18,8 +20,9 @@ constexpr double kShared = 1e-9;
 constexpr double kSheet = 1e-6;
 constexpr double kTolerance = 1e-9;
 constexpr int kSamples = 1024;
-// Parts of lines of all pairs together, what some second and a half takes, and what samples count
-// for.
+constexpr std::size_t kSampleGrain = 16;  // samples that a thread takes at a time
+// Parts of lines of all pairs together, what two processors take half a second and more for, and
+// what samples count for.
 constexpr int kMostPairParts = 6000000, kPartsOfSamples = 500000;
 
 using Box = Eigen::AlignedBox3d;
@@ -61,7 +64,8 @@ bool is_sheet(const ClosedShell& shell) {
 }
 
 // None where surfaces lie in one another, or parts_left are not enough.
-std::optional<double> exact_overlap(const JoinedMember& a, const JoinedMember& b, int& parts_left) {
+std::optional<double> exact_overlap(const JoinedMember& a, const JoinedMember& b,
+                                    PartsLeft& parts_left) {
   try {
     const JoinedShells joined({a, b}, a.shell.box().center(), kTolerance, &parts_left);
     return -joined.whole_change().first.trace() / 3.0;
@@ -70,20 +74,31 @@ std::optional<double> exact_overlap(const JoinedMember& a, const JoinedMember& b
   }
 }
 
-// By points that are spread evenly and are in no plane of the boxes: multiples of powers of an
+// Points that are spread evenly and are in no plane of the box: multiples of powers of an
 // irrational number, modulo 1.
-double sampled_overlap(const ClosedShell& a, const ClosedShell& b) {
+std::vector<Vector3d> samples_of(const Box& box) {
   constexpr double kRoot = 1.2207440846057596;
-  const Box box = a.box().intersection(b.box());
   Vector3d at = Vector3d::Constant(0.5);
   const Vector3d step(1.0 / kRoot, 1.0 / (kRoot * kRoot), 1.0 / (kRoot * kRoot * kRoot));
-  int both = 0;
-  for (int i = 0; i < kSamples; ++i) {
+  std::vector<Vector3d> points(kSamples);
+  for (Vector3d& point : points) {
     at += step;
     at = at.unaryExpr([](double x) { return x - std::floor(x); });
-    const Vector3d point = box.min() + at.cwiseProduct(box.sizes());
-    if (a.is_inside(point) && b.is_inside(point)) ++both;
+    point = box.min() + at.cwiseProduct(box.sizes());
   }
+  return points;
+}
+
+double sampled_overlap(const ClosedShell& a, const ClosedShell& b) {
+  const Box box = a.box().intersection(b.box());
+  const std::vector<Vector3d> points = samples_of(box);
+  std::atomic<int> both = 0;
+  const auto count = [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      if (a.is_inside(points[i]) && b.is_inside(points[i])) ++both;
+    }
+  };
+  surface::parallel_for(points.size(), surface::kAllProcessors, count, kSampleGrain);
   return space_in(box) * both / kSamples;
 }
 
@@ -108,10 +123,10 @@ std::vector<OwnOverlap> own_overlaps(const HullBody& body) {
     if (parts_left < 0) return;
     const ClosedShell &a = members[i].shell, &b = members[j].shell;
     // So that one pair of many does not take it all.
-    int own_left = std::max(kPartsOfSamples, parts_left / 4 * 3);
+    PartsLeft own_left = std::max(kPartsOfSamples, parts_left / 4 * 3);
     parts_left -= own_left;
     const std::optional<double> exact = exact_overlap(members[i], members[j], own_left);
-    parts_left += std::max(own_left, 0);
+    parts_left += std::max(own_left.load(), 0);
     if (!exact) parts_left -= kPartsOfSamples;
     const double volume = exact ? *exact : sampled_overlap(a, b);
     if (volume > kShared * std::min(space_in(a.box()), space_in(b.box()))) {

@@ -18,7 +18,7 @@ struct PieceRule {
   Vector3d origin;      // moments are about it
   double volume, area;  // errors of an interval, m³ and m²
   // Of lines, looked at where they cross surfaces, all pieces together; null without a limit.
-  int* parts_left = nullptr;
+  PartsLeft* parts_left = nullptr;
 };
 
 // Of a whole patch; the area, which is no polynomial, by halves until it is that near.

@@ -59,7 +59,7 @@ class PieceLines {
   const Takes& takes_;
   const Plane* water_;
   Vector3d origin_;
-  int* parts_left_;
+  PartsLeft* parts_left_;
   std::vector<std::vector<ArcCrossing>> crossings_;
   LineCounts counts_;
   int touched_ = 0;
