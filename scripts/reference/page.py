@@ -120,6 +120,5 @@ def page():
     return re.sub(r" at 0x[0-9a-f]+", "", text)
 
 
-
 if __name__ == "__main__":
     Path(sys.argv[1]).write_text(page(), encoding="utf-8")

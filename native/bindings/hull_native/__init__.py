@@ -9,7 +9,8 @@ import importlib
 
 from ._core import *  # noqa: F401,F403
 
-# What modelling does not need: the most of it takes large libraries.
+# What modelling does not need: the most of it takes large libraries. Folders use the modules beside
+# them, and one another in the order of docs/architecture.md.
 _LATER = {
     "PlaceError": "._exchange",
     "write_step": "._exchange",
