@@ -13,7 +13,7 @@ from pathlib import Path
 import hull_native as hn
 import vessels
 from figures import paper
-from hull_native.figure_form import FigureForm
+from hull_native.drawings.figure_form import FigureForm
 
 DOCS = vessels.ROOT / "docs"
 IMAGES = DOCS / "images" / "vessels"

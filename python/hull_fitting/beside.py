@@ -18,13 +18,13 @@ def _beside(name, *wanted):
 
 hull_native = _beside("hull_native")
 smooth_curve = hull_native.smooth_curve
-GirthLines, *_ = _beside("hull_native.girth_lines", "GirthLines")
-extreme_flats, *_ = _beside("hull_native.extreme_flats", "extreme_flats")
-GridFit, *_ = _beside("hull_native.grid_fit", "GridFit")
-RowsAndColumns, *_ = _beside("hull_native.grid_refinement", "RowsAndColumns")
-keel_range, laid_grid = _beside("hull_native.hull_grid", "keel_range", "laid_grid")
-HullOutline, find_ends = _beside("hull_native.hull_outline", "HullOutline", "find_ends")
-NetworkTargets, *_ = _beside("hull_native.network_targets", "NetworkTargets")
+GirthLines, *_ = _beside("hull_native.networks.girth_lines", "GirthLines")
+extreme_flats, *_ = _beside("hull_native.networks.extreme_flats", "extreme_flats")
+GridFit, *_ = _beside("hull_native.networks.grid_fit", "GridFit")
+RowsAndColumns, *_ = _beside("hull_native.networks.grid_refinement", "RowsAndColumns")
+keel_range, laid_grid = _beside("hull_native.networks.hull_grid", "keel_range", "laid_grid")
+HullOutline, find_ends = _beside("hull_native.networks.hull_outline", "HullOutline", "find_ends")
+NetworkTargets, *_ = _beside("hull_native.networks.network_targets", "NetworkTargets")
 bend_shares, end_to_end, foot_on, lengths_along, points_at, where_x_is = _beside(
     "hull_native.polylines",
     *("bend_shares", "end_to_end", "foot_on", "lengths_along", "points_at", "where_x_is"),

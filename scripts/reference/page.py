@@ -114,9 +114,10 @@ def page():
         for cls in sorted(classes, key=lambda cls: cls.name):
             lines += _class_lines(cls)
     lines += ["## Written in Python", "", *_python_lines(hull_native)]
-    text = "\n".join(lines).rstrip() + "\n"
-    # Where an object's default shows its place in memory.
-    return re.sub(r" at 0x[0-9a-f]+", "", re.sub(r"\n{3,}", "\n\n", text))
+    text = re.sub(r"\n{3,}", "\n\n", "\n".join(lines).rstrip() + "\n")
+    # Where defaults are objects: these by their public names, without their places in memory.
+    text = re.sub(r"<hull_native\.[\w.]+\.(\w+) object", r"<hull_native.\1 object", text)
+    return re.sub(r" at 0x[0-9a-f]+", "", text)
 
 
 if __name__ == "__main__":

@@ -59,10 +59,9 @@ def test_folders_at_any_depth_are_found():
     assert not any("__pycache__" in one for one in folders_below(ROOT / "tests"))
 
 
-def test_modules_beside_the_folders_of_the_addon_are_named():
-    modules = {
-        str(path.relative_to(ROOT)) for path in (ROOT / "addon" / "hull_tools").glob("[!_]*.py")
-    }
+@pytest.mark.parametrize("folder", ["addon/hull_tools", "native/bindings/hull_native"])
+def test_modules_beside_folders_are_named(folder):
+    modules = {str(path.relative_to(ROOT)) for path in (ROOT / folder).glob("[!_]*.py")}
     assert modules
     assert modules - set(PATHS) == set()
 
@@ -90,6 +89,25 @@ def test_layers_use_what_the_page_says():
     rows = re.findall(r"^\| `native/(\w+)` \| .* \| ([\w, ]*?) ?\|$", PAGE, flags=re.M)
     told = {layer: {use for use in uses.split(", ") if use} for layer, uses in rows}
     assert {layer: told[layer] for layer in USES} == USES
+
+
+def test_folders_of_hull_native_use_what_the_page_says():
+    """The table of folders against the test that reads the imports."""
+    from test_layers import FOLDERS
+
+    pattern = r"^\| `native/bindings/hull_native/(\w+)` \| .* \| ([\w, ]*?) ?\|$"
+    rows = re.findall(pattern, PAGE, flags=re.M)
+    told = [(folder, {use for use in uses.split(", ") if use}) for folder, uses in rows]
+    assert told == list(FOLDERS.items())
+
+
+def test_public_names_of_hull_native_stay_in_one_table():
+    """A folder gives no names of its own: its file says what is there."""
+    folders = sorted((ROOT / "native" / "bindings" / "hull_native").glob("*/__init__.py"))
+    assert folders
+    for path in folders:
+        tree = ast.parse(path.read_text(encoding="utf-8"))
+        assert ast.get_docstring(tree) and len(tree.body) == 1, path
 
 
 # Steps of the flow of data, by what the code calls them.

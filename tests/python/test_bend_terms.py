@@ -4,7 +4,7 @@
 import hull_native as hn
 import numpy as np
 import pytest
-from hull_native.bend_terms import bend_terms
+from hull_native.networks.bend_terms import bend_terms
 from test_curve_networks import sample_surface
 
 FAIRNESS = 1e-3

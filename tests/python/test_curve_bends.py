@@ -4,9 +4,9 @@
 import hull_native as hn
 import numpy as np
 import pytest
-from hull_native.best_rows import _Lines, best_rows
-from hull_native.curve_bends import curve_bend_terms, network_bends
-from hull_native.sampling import on_spline, spline_slopes
+from hull_native.networks.best_rows import _Lines, best_rows
+from hull_native.networks.curve_bends import curve_bend_terms, network_bends
+from hull_native.networks.sampling import on_spline, spline_slopes
 from test_curve_networks import lines_of, sample_surface
 
 

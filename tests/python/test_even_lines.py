@@ -3,7 +3,7 @@
 
 import numpy as np
 import pytest
-from hull_native.even_lines import even_lines
+from hull_native.networks.even_lines import even_lines
 
 EVENNESS = 0.1
 

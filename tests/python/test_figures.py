@@ -9,7 +9,7 @@ import hull_native as hn
 import numpy as np
 import pytest
 import vessels
-from hull_native import (
+from hull_native.drawings import (
     figure_form,
     figure_views,
     hull_figures,
@@ -17,7 +17,7 @@ from hull_native import (
     mesh_figures,
     sections_plans,
 )
-from hull_native.hidden_lines import Sight
+from hull_native.drawings.hidden_lines import Sight
 from production_hulls import hemisphere
 
 

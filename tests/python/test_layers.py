@@ -11,6 +11,7 @@ import pytest
 ROOT = Path(__file__).resolve().parents[2]
 OUTER = ROOT / "addon"
 INNER = OUTER / "hull_tools"
+NATIVE = ROOT / "native" / "bindings" / "hull_native"
 
 # What the packages beside hull_native may use beside themselves and Python's own library.
 PACKAGES = {
@@ -19,6 +20,18 @@ PACKAGES = {
     "hull_fitting": {"numpy", "hull_native", "hull_io"},
     # Dask and pandas where they are there, and where they are asked for.
     "hull_studies": {"numpy", "hull_native", "hull_io", "distributed", "pandas"},
+}
+
+# What each folder of hull_native may use beside itself, compiled modules and the modules beside the
+# folders, in the order of docs/architecture.md.
+FOLDERS = {
+    "drawings": set(),
+    "resistance": {"drawings"},
+    "production": set(),
+    "networks": set(),
+    "comparison": set(),
+    "dimensions": set(),
+    "morphing": set(),
 }
 
 # What each part of the add-on may use beside itself.
@@ -47,17 +60,17 @@ def imports(path):
             yield node
 
 
-def used_modules(path):
+def used_modules(path, inner=INNER):
     """What a file of the inner package imports of it and of what lies beside it: each as a tuple of
-    names from `INNER` or from the package beside it on."""
-    package = path.relative_to(OUTER).with_suffix("").parts[:-1]
+    names from `inner` or from the package beside it on."""
+    package = path.relative_to(inner.parent).with_suffix("").parts[:-1]
     for node in imports(path):
         if isinstance(node, ast.ImportFrom) and 0 < node.level <= len(package) + 1:
             base = package[: len(package) + 1 - node.level]
             base += tuple(node.module.split(".")) if node.module else ()
             for alias in node.names:
                 names = (*base, alias.name)
-                yield names[1:] if names[0] == INNER.name else names
+                yield names[1:] if names[0] == inner.name else names
 
 
 def foreign_packages(path):
@@ -87,6 +100,31 @@ def test_packages_of_plain_python_use_little(package):
 
 def test_packages_of_plain_python_have_a_place():
     assert {path.parent.name for path in (ROOT / "python").glob("*/__init__.py")} == set(PACKAGES)
+
+
+def test_folders_of_hull_native_have_a_place():
+    assert {path.parent.name for path in NATIVE.glob("*/*.py")} == set(FOLDERS)
+    assert all((NATIVE / folder / "__init__.py").exists() for folder in FOLDERS)
+
+
+def test_folders_of_hull_native_use_earlier_ones():
+    order = list(FOLDERS)
+    for folder, used in FOLDERS.items():
+        assert all(order.index(other) < order.index(folder) for other in used)
+
+
+@pytest.mark.parametrize("folder", [*FOLDERS, ""])
+def test_hull_native_uses_what_is_below(folder):
+    """Each folder, and the modules beside them, which use none; public names, that would come from
+    anywhere, are for others."""
+    beside = {path.stem for path in NATIVE.glob("[!_]*.py")}
+    allowed = beside | ({folder} | FOLDERS[folder] if folder else set())
+    paths = sources(NATIVE / folder) if folder else sorted(NATIVE.glob("[!_]*.py"))
+    assert paths
+    for path in paths:
+        for used in used_modules(path, NATIVE):
+            assert used[0].startswith("_") or used[0] in allowed, f"{path}: {used}"
+        assert set(foreign_packages(path)) - sys.stdlib_module_names <= {"numpy"}, path
 
 
 @pytest.mark.parametrize("part", ALLOWED)

@@ -48,9 +48,12 @@ def test_a_docstring_without_a_signature_is_named():
 def checked(folder, text):
     """What mypy says of a program beside the stubs."""
     stubs.write(folder / "hull_native")
-    for path in Path(hn.__file__).parent.glob("*.py"):
-        if path.name != "__init__.py":
-            shutil.copy(path, folder / "hull_native")
+    package = Path(hn.__file__).parent
+    for path in package.rglob("*.py"):
+        if path != package / "__init__.py":
+            copy = folder / "hull_native" / path.relative_to(package)
+            copy.parent.mkdir(exist_ok=True)
+            shutil.copy(path, copy)
     program = folder / "program.py"
     program.write_text(text)
     done = subprocess.run(

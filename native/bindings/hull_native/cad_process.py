@@ -55,6 +55,6 @@ if __name__ == "__main__":
 
     import numpy as np
 
-    from . import read_cad_geometry
+    from ._exchange import read_cad_geometry
 
     main(*words)

@@ -6,7 +6,7 @@ import json
 import hull_io
 import hull_native as hn
 import pytest
-from hull_native.seam_rules import KINDS
+from hull_native.production.seam_rules import KINDS
 from test_hull_file import content
 
 PLATING = {
