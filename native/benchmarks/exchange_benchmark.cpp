@@ -11,7 +11,7 @@
 #include "benchmarks/ratio_report.h"
 #include "conversion/exact/exact_conversion.h"
 #include "exchange/iges_file.h"
-#include "exchange/step_file.h"
+#include "exchange/step/step_file.h"
 
 namespace {
 

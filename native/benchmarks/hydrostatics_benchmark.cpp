@@ -14,7 +14,7 @@
 #include "benchmarks/ratio_report.h"
 #include "conversion/patches/flat_patches.h"
 #include "conversion/per_cell/per_cell.h"
-#include "exchange/brep_shape.h"
+#include "exchange/solids/brep_shape.h"
 #include "surface/sampling/grid_samples.h"
 
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "exchange/cad_geometry.h"
+#include "exchange/reading/cad_geometry.h"
 
 #include <pybind11/stl/filesystem.h>
 

@@ -18,7 +18,7 @@
 #include "conversion/per_cell/per_cell.h"
 #include "conversion/place_error.h"
 #include "exchange/iges_file.h"
-#include "exchange/step_file.h"
+#include "exchange/step/step_file.h"
 
 namespace py = pybind11;
 

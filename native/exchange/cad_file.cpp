@@ -9,12 +9,12 @@
 
 #include "conversion/patches/control_faces.h"
 #include "conversion/place_error.h"
-#include "exchange/face_integrals.h"
 #include "exchange/occt_geometry.h"
 #include "exchange/occt_session.h"
 #include "exchange/regions.h"
-#include "exchange/step_text.h"
-#include "exchange/telling_faces.h"
+#include "exchange/solids/face_integrals.h"
+#include "exchange/solids/telling_faces.h"
+#include "exchange/step/step_text.h"
 #include "files/atomic_file.h"
 
 namespace hull::exchange {

@@ -12,9 +12,9 @@
 #include "conversion/patches/mirror.h"
 #include "conversion/place_error.h"
 #include "exchange/cad_report.h"
-#include "exchange/face_integrals.h"
-#include "exchange/joined_solids.h"
 #include "exchange/regions.h"
+#include "exchange/solids/face_integrals.h"
+#include "exchange/solids/joined_solids.h"
 #include "mesh/tolerances.h"
 
 namespace hull::exchange {

@@ -7,8 +7,8 @@
 
 #include "conversion/patches/patch_integrals.h"
 #include "conversion/patches/patch_set.h"
-#include "exchange/brep_shape.h"
 #include "exchange/cad_options.h"
+#include "exchange/solids/brep_shape.h"
 
 namespace hull::exchange {
 

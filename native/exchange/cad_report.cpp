@@ -19,10 +19,10 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "exchange/cad_reading.h"
-#include "exchange/face_integrals.h"
 #include "exchange/occt_geometry.h"
 #include "exchange/occt_session.h"
+#include "exchange/reading/cad_reading.h"
+#include "exchange/solids/face_integrals.h"
 #include "files/atomic_file.h"
 
 namespace hull::exchange {

@@ -26,7 +26,7 @@
 #include "exchange/occt_geometry.h"
 #include "exchange/occt_progress.h"
 #include "exchange/regions.h"
-#include "exchange/step_text.h"
+#include "exchange/step/step_text.h"
 #include "files/atomic_file.h"
 
 namespace hull::exchange {

@@ -18,7 +18,7 @@
 #include "conversion/per_cell/per_cell.h"
 #include "conversion/sheets.h"
 #include "exchange/iges_file.h"
-#include "exchange/step_file.h"
+#include "exchange/step/step_file.h"
 #include "files/atomic_file.h"
 #include "test_meshes.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "exchange/shared_points.h"
+#include "exchange/step/shared_points.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "exchange/step_file.h"
+#include "exchange/step/step_file.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>

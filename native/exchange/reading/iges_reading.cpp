@@ -11,9 +11,9 @@
 #include <XSControl_WorkSession.hxx>
 #include <map>
 
-#include "exchange/cad_reading.h"
 #include "exchange/occt_progress.h"
-#include "exchange/step_text.h"
+#include "exchange/reading/cad_reading.h"
+#include "exchange/step/step_text.h"
 #include "files/atomic_file.h"
 
 namespace hull::exchange {

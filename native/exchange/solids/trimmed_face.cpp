@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "exchange/trimmed_face.h"
+#include "exchange/solids/trimmed_face.h"
 
 #include <BRepAdaptor_Surface.hxx>
 #include <BRep_Tool.hxx>

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "analysis/appendages/appendage.h"
-#include "exchange/brep_shape.h"
+#include "exchange/solids/brep_shape.h"
 #include "surface/progress.h"
 
 namespace hull::exchange {

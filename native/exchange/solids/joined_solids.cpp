@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "exchange/joined_solids.h"
+#include "exchange/solids/joined_solids.h"
 
 #include <BRepAlgoAPI_BooleanOperation.hxx>
 #include <BRepAlgoAPI_Cut.hxx>
@@ -18,8 +18,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "exchange/appendage_solids.h"
 #include "exchange/occt_progress.h"
+#include "exchange/solids/appendage_solids.h"
 
 namespace hull::exchange {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "exchange/telling_faces.h"
+#include "exchange/solids/telling_faces.h"
 
 #include <BRepClass3d_SolidClassifier.hxx>
 #include <BRep_Builder.hxx>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "exchange/cad_geometry.h"
+#include "exchange/reading/cad_geometry.h"
 
 #include <BRepBndLib.hxx>
 #include <BRepLib.hxx>
@@ -19,10 +19,10 @@
 #include <TopoDS.hxx>
 #include <cmath>
 
-#include "exchange/cad_reading.h"
-#include "exchange/face_triangles.h"
 #include "exchange/occt_geometry.h"
 #include "exchange/occt_session.h"
+#include "exchange/reading/cad_reading.h"
+#include "exchange/reading/face_triangles.h"
 #include "files/atomic_file.h"
 
 namespace hull::exchange {

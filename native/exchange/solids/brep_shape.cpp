@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "exchange/brep_shape.h"
+#include "exchange/solids/brep_shape.h"
 
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
@@ -21,8 +21,8 @@
 #include <utility>
 
 #include "conversion/patches/edge_uses.h"
-#include "exchange/face_integrals.h"
 #include "exchange/occt_geometry.h"
+#include "exchange/solids/face_integrals.h"
 #include "mesh/groups.h"
 #include "mesh/tolerances.h"
 

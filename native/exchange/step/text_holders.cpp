@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "exchange/text_holders.h"
+#include "exchange/step/text_holders.h"
 
 #include <cstdio>
 #include <cstdlib>
 
-#include "exchange/step_text.h"
+#include "exchange/step/step_text.h"
 
 namespace hull::exchange {
 namespace {

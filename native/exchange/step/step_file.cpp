@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "exchange/step_file.h"
+#include "exchange/step/step_file.h"
 
 #include <APIHeaderSection_MakeHeader.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
@@ -24,10 +24,10 @@
 #include "exchange/occt_geometry.h"
 #include "exchange/occt_progress.h"
 #include "exchange/regions.h"
-#include "exchange/shared_points.h"
-#include "exchange/short_step.h"
-#include "exchange/step_styles.h"
-#include "exchange/text_holders.h"
+#include "exchange/step/shared_points.h"
+#include "exchange/step/short_step.h"
+#include "exchange/step/step_styles.h"
+#include "exchange/step/text_holders.h"
 #include "files/atomic_file.h"
 
 namespace hull::exchange {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "exchange/face_integrals.h"
+#include "exchange/solids/face_integrals.h"
 
 #include <BRepAdaptor_Curve.hxx>
 #include <BRepGProp.hxx>
@@ -17,7 +17,7 @@
 
 #include "analysis/arithmetic/gauss.h"
 #include "exchange/occt_geometry.h"
-#include "exchange/trimmed_face.h"
+#include "exchange/solids/trimmed_face.h"
 
 namespace hull::exchange {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "exchange/short_step.h"
+#include "exchange/step/short_step.h"
 
 #include <algorithm>
 #include <array>

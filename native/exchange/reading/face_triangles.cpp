@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "exchange/face_triangles.h"
+#include "exchange/reading/face_triangles.h"
 
 #include <BRepAdaptor_Surface.hxx>
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "exchange/cad_reading.h"
+#include "exchange/reading/cad_reading.h"
 
 #include <cerrno>
 #include <cstring>

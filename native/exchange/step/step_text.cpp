@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "exchange/step_text.h"
+#include "exchange/step/step_text.h"
 
 #include <charconv>
 #include <cstdint>

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "exchange/cad_options.h"
-#include "exchange/text_holders.h"
+#include "exchange/step/text_holders.h"
 
 namespace hull::exchange {
 

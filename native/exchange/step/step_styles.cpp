@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "exchange/step_styles.h"
+#include "exchange/step/step_styles.h"
 
 #include <StepRepr_HArray1OfRepresentationItem.hxx>
 #include <StepRepr_Representation.hxx>
@@ -25,7 +25,7 @@
 #include <StepVisual_SurfaceStyleFillArea.hxx>
 #include <StepVisual_SurfaceStyleUsage.hxx>
 
-#include "exchange/step_text.h"
+#include "exchange/step/step_text.h"
 
 namespace hull::exchange {
 namespace {

@@ -5,7 +5,7 @@
 #include <TopLoc_Location.hxx>
 #include <TopoDS_Face.hxx>
 
-#include "exchange/cad_geometry.h"
+#include "exchange/reading/cad_geometry.h"
 
 namespace hull::exchange {
 
