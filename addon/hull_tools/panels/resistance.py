@@ -168,9 +168,9 @@ class HULL_PT_resistance_inputs(HullPanel, bpy.types.Panel):
 
 def _draw_columns(column, name, given, hull):
     """Three texts beside one another; returns the layouts of the last two."""
-    split = column.split(factor=0.33, align=True)
+    split = column.split(factor=0.305, align=True)
     split.label(text=name)
-    split = split.split(factor=0.52, align=True)
+    split = split.split(factor=0.545, align=True)
     places = split.row(align=True), split.row()
     for place, text in zip(places, (given, hull)):
         if text:

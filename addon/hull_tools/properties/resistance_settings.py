@@ -77,7 +77,7 @@ class HullDelftInputs(bpy.types.PropertyGroup):
     lcb: _length("LCB", "Centre of buoyancy abaft the waterline's forward end")
     lcf: _length("LCF", "Centre of flotation abaft the waterline's forward end")
     keel_wetted_surface: _input("Keel m²", "Wetted surface of the keels, both sides, in m²", 1e6)
-    keel_chord: _length("Keel chord", "Mean chord of the keels")
+    keel_chord: _length("Keel c", "Mean chord of the keels")
     keel_thickness: _input("Keel t/c", "Thickness of the keels by their chord", 1.1)
     keel_volume: _input("Keel m³", "Volume of the keels, in m³", 1e8)
     keel_total_draft: _length("Keel T", "Draft of the yacht with the keel")
@@ -85,10 +85,10 @@ class HullDelftInputs(bpy.types.PropertyGroup):
         "Keel Z", "Centre of the keels' volume below the canoe body; negative: above", None
     )
     rudder_wetted_surface: _input(
-        "Rudder m²", "Wetted surface of the rudders, both sides, in m²", 1e6
+        "Rud. m²", "Wetted surface of the rudders, both sides, in m²", 1e6
     )
-    rudder_chord: _length("Rudder c", "Mean chord of the rudders")
-    rudder_thickness: _input("Rudder t/c", "Thickness of the rudders by their chord", 1.1)
+    rudder_chord: _length("Rud. c", "Mean chord of the rudders")
+    rudder_thickness: _input("Rud. t/c", "Thickness of the rudders by their chord", 1.1)
 
 
 class HullMichellInputs(bpy.types.PropertyGroup):
@@ -176,7 +176,7 @@ class HullResistance(bpy.types.PropertyGroup):
         update=changed,
     )
     roughness_um: _number("Roughness µm", "Of the hull; 150: that of new ships", 150.0, 1e4, 1.0)
-    planing_mass_t: mass("Mass t", f"Of the boat, in t; {_FROM_HULL}")
+    planing_mass_t: mass("Mass t", f"Of the boat, in t; {_FROM_HULL}", precision=2)
     planing_lcg: length(
         "LCG", f"Centre of gravity before the transom, along the keel; {_FROM_HULL}"
     )
@@ -188,7 +188,7 @@ class HullResistance(bpy.types.PropertyGroup):
         radians(44.0),
     )
     chine_beam: length(
-        "Chine beam", "Mean breadth over the chines where they are wet; 0: that of the waterline"
+        "Chine B", "Mean breadth over the chines where they are wet; 0: that of the waterline"
     )
     shaft_angle: angle(
         "Shaft angle", "Of the shaft against the keel", 0.0, radians(-45.0), radians(45.0)
