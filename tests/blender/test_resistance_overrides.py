@@ -290,7 +290,7 @@ def test_a_keel_can_be_given_to_a_hull_without_one(asked_of):
     own, calls = hull.hull.resistance, asked_of("delft_table")
     own.method, own.speed_from, own.speed_to, own.speed_step = "DELFT", 10.0, 12.0, 2.0
     before = result_of(hull)
-    assert before.measured["keel_chord"] is None and before.rows[0]["keel_kN"] == 0.0
+    assert before.measured["keel_chord"] == 0.0 and before.rows[0]["keel_kN"] == 0.0
     own.delft.keel_wetted_surface = 60.0
     with pytest.raises(ValueError, match="no keel joined to it"):
         result_of(hull)
@@ -300,4 +300,4 @@ def test_a_keel_can_be_given_to_a_hull_without_one(asked_of):
     assert (keel.wetted_surface, keel.chord, keel.volume) == (60.0, 5.0, None)
     assert after.rows[0]["keel_kN"] > 0.0 and "Keel: keel" in after.remarks()
     part("features.analyses").outcome_of(hull, bpy.context.scene, "resistance_curves")
-    assert "none" in drawn("HULL_PT_resistance_inputs")
+    assert "0.00 m" in drawn("HULL_PT_resistance_inputs")

@@ -156,7 +156,7 @@ class HULL_PT_resistance_inputs(HullPanel, bpy.types.Panel):
         column = layout.column(align=True)
         _draw_columns(column, "", "Given", "Hull")
         for place, name, unit in rows:
-            _draw_input(column, context, own, place, name, measured.get(name, ...), unit)
+            _draw_input(column, context, own, place, name, measured.get(name), unit)
         label_wrapped(layout, context, "0: what the hull has")
         zeros = [name for _, name, _ in rows if name in ship_data.ZERO_INPUTS]
         if zeros:
@@ -189,10 +189,8 @@ def _draw_input(column, context, own, place, input_name, value, unit):
 
 def _measured(scene, value, unit):
     """As the setting beside it is typed: lengths in the scene's unit, others in those that their
-    names have. value: None of what the hull has not, ... before it is known."""
+    names have."""
     if value is None:
-        return "none"
-    if value is ...:
         return "–"
     if unit == "m":
         number, symbol = in_unit(scene, value, unit)

@@ -102,11 +102,11 @@ def _given_of(given, name):
 
 
 def _measured(name, fins):
-    """What keels or rudders are together, None of none, by the names of what is given."""
+    """What keels or rudders are together, 0 of none, by the names of what is given."""
     hull_native = native.require()
     one = hull_native.one_fin(fins)
     names = [each.name for each in fields(hull_native.DelftFin)]
-    return {f"{name}_{each}": getattr(one, each, None) for each in names}
+    return {f"{name}_{each}": getattr(one, each, 0.0) for each in names}
 
 
 def _told_of(fins):
