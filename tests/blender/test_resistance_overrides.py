@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Whatever a method of resistance asks of a ship can be given in place of what the hull has: of each
-field it is said by which setting, and what is given arrives where the table is reckoned."""
+"""Whatever a method of resistance asks of a ship can be given in place of what the hull has: of
+each field it is said by which setting, and what is given arrives where the table is reckoned."""
 
 import inspect
 import math
@@ -277,12 +277,9 @@ def test_rudders_have_no_waves(asked_of):
     hull, calls = ship_of("DELFT"), asked_of("delft_table")
     rows = result_of(hull).rows
     args = calls[-1]
-    rudders = [replace(fin, volume=None, total_draft=None, centre=None)
-               for fin in args["how"]["rudder"]]  # fmt: skip
-    again = native().delft_table(
-        args["yacht"], args["speeds"], **{**args["how"], "rudder": rudders}
-    )
-    assert again == rows
+    bare = {"volume": None, "total_draft": None, "centre": None}
+    how = {**args["how"], "rudder": [replace(fin, **bare) for fin in args["how"]["rudder"]]}
+    assert native().delft_table(args["yacht"], args["speeds"], **how) == rows
 
 
 def test_a_keel_can_be_given_to_a_hull_without_one(asked_of):

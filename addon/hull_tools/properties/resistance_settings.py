@@ -63,8 +63,8 @@ class HullHoltropInputs(bpy.types.PropertyGroup):
 
 
 class HullDelftInputs(bpy.types.PropertyGroup):
-    """What is given of the canoe body to the Delft series, by hull_native.DelftYacht's names, and of
-    all keels and all rudders by hull_native.DelftFin's."""
+    """What is given of the canoe body to the Delft series, by hull_native.DelftYacht's names, and
+    of all keels and all rudders by hull_native.DelftFin's."""
 
     length: _length("Length", "On the waterline")
     beam: _length("Beam", "On the waterline")

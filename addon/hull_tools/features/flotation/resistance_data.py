@@ -44,17 +44,25 @@ def give(settings, own, scale):
     settings.hulls, settings.zeros = own.hulls.upper(), set(own.zeros)
     settings.twin_screw, settings.open_stern = own.twin_screw, own.open_stern
     for name, speed in zip(_SPEEDS, own.speeds_kn):
-        setattr(settings, name, speed)
+        _set(settings, name, speed)
     for name in _NUMBERS:
-        setattr(settings, name, getattr(own, name))
+        _set(settings, name, getattr(own, name))
     for name in _LENGTHS:
-        setattr(settings, name, getattr(own, name) / scale)
+        _set(settings, name, getattr(own, name) / scale)
     for name in _ANGLES:
-        setattr(settings, name, radians(getattr(own, f"{name}_deg")))
+        _set(settings, name, radians(getattr(own, f"{name}_deg")))
     for group, (_, units) in _INPUTS.items():
         for name, unit in units.items():
             value = getattr(getattr(own, group), name) or 0.0
-            setattr(getattr(settings, group), name, value / scale if unit == "m" else value)
+            _set(getattr(settings, group), name, value / scale if unit == "m" else value)
+
+
+def _set(settings, name, number):
+    """A number that is the usual one is left unset: each variant would keep all of them."""
+    if number == as_stored(settings.bl_rna.properties[name].default):
+        settings.property_unset(name)
+    else:
+        setattr(settings, name, number)
 
 
 def taken(settings, metres):
