@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What Michell's integral and the ITTC line rest on, and where a ship or a speed leaves them.
 
-No limits are published with the integral itself. Hullspeed's manual, a program of the same theory,
-has a rough guide of how slender a hull is to be; that ends of hulls are too blunt, and hulls too
-broad or too full, is our judgement of what the theory takes as small.
+We know of no limits that were published with the integral. The manual of Hullspeed, a program by
+the same theory, has a rough guide to how slender a hull is to be; that ends of hulls are too blunt,
+and hulls too broad or too full, is our judgement of what the theory takes as small.
 """
 
 import math
