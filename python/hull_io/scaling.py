@@ -59,6 +59,15 @@ FOLLOWING = {
     "resistance.delft.wetted_surface": "surface",
     "resistance.delft.lcb": "x",
     "resistance.delft.lcf": "x",
+    "resistance.delft.keel_wetted_surface": "profile",
+    "resistance.delft.keel_chord": "x",
+    "resistance.delft.keel_volume": "volume",
+    "resistance.delft.keel_total_draft": "z",
+    "resistance.delft.keel_centre": "z",
+    "resistance.delft.rudder_wetted_surface": "profile",
+    "resistance.delft.rudder_chord": "x",
+    "resistance.michell.length": "x",
+    "resistance.michell.wetted_surface": "surface",
     "weights.items.mass_t": "volume",
     "weights.items.lcg": "at x",
     "weights.items.tcg": "at y",
@@ -106,11 +115,13 @@ STAYING = frozenset(
     load_cases.with_weights load_cases.vcg_is_guess
     resistance.method resistance.speeds_kn resistance.form_factor
     resistance.stern resistance.appendage_factor resistance.twin_screw resistance.zeros
-    resistance.deadrise_deg
+    resistance.hulls resistance.open_stern resistance.blade_area_ratio resistance.pitch_ratio
+    resistance.thruster_coefficient resistance.deadrise_deg
     resistance.shaft_angle_deg resistance.heel_deg resistance.open_water_efficiency
     resistance.shaft_efficiency resistance.roughness_um resistance.wave_speed_kn
     resistance.holtrop.lcb_percent resistance.holtrop.midship resistance.holtrop.waterplane
     resistance.holtrop.entrance_angle_deg resistance.delft.prismatic resistance.delft.midship
+    resistance.delft.keel_thickness resistance.delft.rudder_thickness
     particulars.water_density scheme deck_edge shown_rows curves.name curves.shown curves.edges
     flats.faces flats.offset developables.faces developables.warp developables.distance
     developables.keep locked kept.stations kept.buttocks kept.waterlines ties.kind ties.point

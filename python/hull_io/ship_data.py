@@ -157,7 +157,8 @@ class HoltropInputs:
 
 @dataclass
 class DelftInputs:
-    """The same of a canoe body for the Delft series: hull_native.DelftYacht, by its names."""
+    """The same of a canoe body for the Delft series: hull_native.DelftYacht, by its names; of keels
+    and rudders hull_native.DelftFin."""
 
     length: float | None = None
     beam: float | None = None
@@ -169,6 +170,24 @@ class DelftInputs:
     midship: float | None = None
     lcb: float | None = None
     lcf: float | None = None
+    keel_wetted_surface: float | None = None
+    keel_chord: float | None = None
+    keel_thickness: float | None = None
+    keel_volume: float | None = None
+    keel_total_draft: float | None = None
+    keel_centre: float | None = None
+    rudder_wetted_surface: float | None = None
+    rudder_chord: float | None = None
+    rudder_thickness: float | None = None
+
+
+@dataclass
+class MichellInputs:
+    """The same for the friction beside Michell's integral: hull_native.michell_table, by its
+    names."""
+
+    length: float | None = None
+    wetted_surface: float | None = None
 
 
 # Their units, as tables have them.
@@ -198,10 +217,22 @@ DELFT_UNITS = {
     "midship": "",
     "lcb": "m",
     "lcf": "m",
+    "keel_wetted_surface": "m2",
+    "keel_chord": "m",
+    "keel_thickness": "",
+    "keel_volume": "m3",
+    "keel_total_draft": "m",
+    "keel_centre": "m",
+    "rudder_wetted_surface": "m2",
+    "rudder_chord": "m",
+    "rudder_thickness": "",
 }
+MICHELL_UNITS = {"length": "m", "wetted_surface": "m2"}
 
 # Of what is given in place of what the hull has, what may be nothing at all.
-ZERO_INPUTS = ("lcb_percent", "bulb_area", "transom_area", "deadrise_deg")
+ZERO_INPUTS = ("lcb_percent", "bulb_area", "transom_area", "deadrise_deg", "keel_centre")
+# Whether hulls lie beside one another: as the hull has it, or one of both whatever it has.
+HULLS_BESIDE = ("found", "one", "beside")
 
 
 @dataclass
@@ -210,7 +241,9 @@ class Resistance:
     only the designer knows. Lengths in m, areas in m²; 0: not given. Of chine_beam, deadrise_deg,
     planing_mass_t and planing_lcg, of Savitsky's method, 0 is what the hull has; wave_speed_kn, of
     wave pattern and spectrum, 0: the last speed. roughness_um: of the hull, µm. zeros: which of
-    ZERO_INPUTS are 0 where that is given as their number: none of the hull's counts."""
+    ZERO_INPUTS are 0 where that is given as their number: none of the hull's counts. hulls: one of
+    HULLS_BESIDE. blade_area_ratio: AE/AO; pitch_ratio: P/D, of twin screws; open_stern: a single
+    screw behind shafts and brackets."""
 
     method: str = "holtrop"
     speeds_kn: tuple = (6.0, 16.0, 1.0)
@@ -222,7 +255,11 @@ class Resistance:
     twin_screw: bool = False
     open_water_efficiency: float = 0.0
     shaft_efficiency: float = 1.0
+    blade_area_ratio: float = 0.6
+    pitch_ratio: float = 1.0
+    open_stern: bool = False
     thruster_diameter: float = 0.0
+    thruster_coefficient: float = 0.005
     roughness_um: float = 150.0
     planing_mass_t: float = 0.0
     planing_lcg: float = 0.0
@@ -233,5 +270,7 @@ class Resistance:
     heel_deg: float = 0.0
     wave_speed_kn: float = 0.0
     zeros: tuple = ()
+    hulls: str = "found"
     holtrop: HoltropInputs = field(default_factory=HoltropInputs)
     delft: DelftInputs = field(default_factory=DelftInputs)
+    michell: MichellInputs = field(default_factory=MichellInputs)

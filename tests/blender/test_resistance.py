@@ -183,8 +183,9 @@ def test_hull_files_and_variants_keep_the_settings(tmp_path):
     own.stern, own.twin_screw, own.propeller_diameter, own.chine_beam = "10", True, 0.5, 3.25
     own.open_water_efficiency, own.shaft_efficiency, own.roughness_um = 0.6, 0.97, 200.0
     own.thruster_diameter, own.planing_mass_t, own.planing_lcg = 0.4, 12.5, 3.1
-    own.wave_speed_kn = 9.0
-    for group in (own.holtrop, own.delft):
+    own.wave_speed_kn, own.hulls, own.open_stern = 9.0, "ONE", True
+    own.blade_area_ratio, own.pitch_ratio, own.thruster_coefficient = 0.7, 1.1, 0.004
+    for group in (own.holtrop, own.delft, own.michell):
         for i, name in enumerate(numbers_of(group)):
             setattr(group, name, 0.25 + 0.05 * i)
     path = str(tmp_path / "boat.hull.json")
@@ -193,7 +194,7 @@ def test_hull_files_and_variants_keep_the_settings(tmp_path):
     again = bpy.context.object.hull.resistance
     assert again.id_data is not hull
     for name in own.bl_rna.properties.keys():
-        if name in ("holtrop", "delft"):
+        if name in ("holtrop", "delft", "michell"):
             for each in numbers_of(getattr(own, name)):
                 found, wanted = (getattr(getattr(one, name), each) for one in (again, own))
                 assert found == pytest.approx(wanted, rel=1e-6) and found > 0.2, (name, each)

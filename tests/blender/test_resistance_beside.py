@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from addon_under_test import add_hull, make_active, part, sample, state_of
 from test_panels import Drawn, context
-from test_resistance import result_of
+from test_resistance import planing, result_of
 
 
 def with_variant(method="HOLTROP"):
@@ -16,6 +16,19 @@ def with_variant(method="HOLTROP"):
     hull = sample("coaster")
     own = hull.hull.resistance
     own.method, own.speed_from, own.speed_to, own.speed_step = method, 10.0, 12.0, 1.0
+    before = result_of(hull).rows
+    bpy.ops.hull.keep_variant(name="narrow")
+    for vertex in hull.data.vertices:
+        vertex.co.y *= 1.1
+    hull.data.update()
+    bpy.context.view_layer.update()
+    return hull, own, before
+
+
+def with_planing_variant():
+    """The planing boat by Savitsky beside herself as she was before she became broader."""
+    hull, own = planing()
+    own.deadrise, own.speed_from, own.speed_step = 0.0, 20.0, 5.0
     before = result_of(hull).rows
     bpy.ops.hull.keep_variant(name="narrow")
     for vertex in hull.data.vertices:
@@ -42,6 +55,30 @@ def test_the_variant_has_what_the_hull_had(method):
     own.stern = "10"  # this hull's settings count for both
     if method == "HOLTROP":
         assert min(np.divide(totals(result_of(hull).other.rows), totals(before))) > 1.01
+
+
+def test_a_planing_boat_beside_herself(tmp_path):
+    """By Savitsky, each at the trim of her own; shaft and what else is given are this boat's."""
+    hull, own, before = with_planing_variant()
+    result = result_of(hull)
+    assert len(before) == len(result.rows) == len(result.other.rows) == 5
+    assert result.other.name == "narrow" and result.other.message == ""
+    for row, old in zip(result.other.rows, before):
+        assert row["total_kN"] == pytest.approx(old["total_kN"], rel=1e-12)
+        assert row["trim_deg"] == pytest.approx(old["trim_deg"], rel=1e-12)
+    assert min(np.abs(np.divide(totals(result.rows), totals(before)) - 1.0)) > 0.01
+    curves = part("features.resistance.resistance_curves")
+    assert curves.plot(result, "boat").curve_names[-1] == "narrow"
+    path = tmp_path / "planing.csv"
+    bpy.ops.hull.export_table(filepath=str(path), analysis="resistance_curves")
+    with open(path, newline="", encoding="utf-8") as stream:
+        read = list(csv.DictReader(stream))
+    for row, old in zip(read, before, strict=True):
+        assert float(row["other hull total [kN]"]) == pytest.approx(old["total_kN"], rel=1e-8)
+    own.chine_beam = 3.0  # what is given counts for this hull alone
+    assert totals(result_of(hull).other.rows) == pytest.approx(totals(before), rel=1e-12)
+    own.thrust_arm = 0.4  # the shaft is told of both
+    assert totals(result_of(hull).other.rows) != pytest.approx(totals(before), rel=1e-4)
 
 
 def test_the_other_is_computed_once(monkeypatch):

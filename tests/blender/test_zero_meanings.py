@@ -159,7 +159,7 @@ def drawings(wanted):
     own.wind.source, own.fairness.colours, own.transform.kept_aft = "GIVEN", "GAUSSIAN", 1.0
     make_zero(own, wanted)
     bpy.context.view_layer.update()
-    for method in ("HOLTROP", "SAVITSKY", "DELFT"):
+    for method in ("HOLTROP", "SAVITSKY", "DELFT", "MICHELL"):
         own.resistance.method = method
         yield from panels()
     for kind in ("RUDDER", "SHAFT"):

@@ -205,6 +205,7 @@ def test_from_the_exact_hull():
         ({"entrance_angle_deg": 90.0}, "half angle of entrance"),
         ({"lcb_percent": 20.0}, "too near an end"),
         ({"appendages": ((1.0, -2.0),)}, "appendage"),
+        ({"bulb_height": 12.0}, "need the bulb in the water"),
     ],
 )
 def test_bad_ships(change, said):

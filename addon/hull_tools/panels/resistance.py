@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Resistance and power over speeds."""
 
+import math
+
 import bpy
 
 from ...hull_io import ship_data
@@ -27,8 +29,12 @@ def _inputs(method):
     units."""
     if method == "SAVITSKY":
         return _PLANING
-    units = {"HOLTROP": ship_data.HOLTROP_UNITS, "DELFT": ship_data.DELFT_UNITS}.get(method, {})
-    return [(f"{method.lower()}.{name}", name, unit) for name, unit in units.items()]
+    units = {
+        "HOLTROP": ship_data.HOLTROP_UNITS,
+        "DELFT": ship_data.DELFT_UNITS,
+        "MICHELL": ship_data.MICHELL_UNITS,
+    }
+    return [(f"{method.lower()}.{name}", name, unit) for name, unit in units[method].items()]
 
 
 class HULL_PT_resistance(HullPanel, bpy.types.Panel):
@@ -76,6 +82,12 @@ class HULL_PT_resistance(HullPanel, bpy.types.Panel):
             if own.open_water_efficiency:
                 column.prop(own, "shaft_efficiency")
             column.prop(own, "twin_screw")
+            if own.twin_screw:
+                column.prop(own, "pitch_ratio")
+            else:
+                column.prop(own, "open_stern")
+                if not own.open_stern:
+                    column.prop(own, "blade_area_ratio")
 
     def _draw_table(self, layout, context, result):
         row = layout.row(align=True)
@@ -91,7 +103,10 @@ class HULL_PT_resistance(HullPanel, bpy.types.Panel):
             self._draw_quantity(row, context, "other", "kN", totals)
 
     def _draw_quantity(self, row, context, name, unit, values):
-        cells = [None if v is None else in_unit(context.scene, v, unit)[0] for v in values]
+        is_there = [v is not None and not math.isnan(v) for v in values]
+        cells = [
+            in_unit(context.scene, v, unit)[0] if ok else None for v, ok in zip(values, is_there)
+        ]
         draw_column(row, f"{name} {in_unit(context.scene, 0.0, unit)[1]}", cells)
 
 
@@ -127,11 +142,14 @@ class HULL_PT_resistance_inputs(HullPanel, bpy.types.Panel):
         if own.method == "HOLTROP":
             column = layout.column(align=True)
             column.prop(own, "thruster_diameter")
+            if own.thruster_diameter:
+                column.prop(own, "thruster_coefficient")
             column.prop(own, "roughness_um")
+            text_field(layout, own, "hulls")
         rows = _inputs(own.method)
-        if not rows:
-            label_wrapped(layout, context, "Michell takes the exact surface itself", icon="INFO")
-            return
+        if own.method == "MICHELL":
+            text = "Waves are those of the exact surface, friction goes by these:"
+            label_wrapped(layout, context, text, icon="INFO")
         outcome = live_analyses.latest(hull, context.scene, "resistance_curves")[0]
         result = outcome.result if outcome else None
         measured = result.measured if result and result.given.method == own.method else {}
@@ -150,9 +168,9 @@ class HULL_PT_resistance_inputs(HullPanel, bpy.types.Panel):
 
 def _draw_columns(column, name, given, hull):
     """Three texts beside one another; returns the layouts of the last two."""
-    split = column.split(factor=0.33, align=True)
+    split = column.split(factor=0.305, align=True)
     split.label(text=name)
-    split = split.split(factor=0.52, align=True)
+    split = split.split(factor=0.545, align=True)
     places = split.row(align=True), split.row()
     for place, text in zip(places, (given, hull)):
         if text:

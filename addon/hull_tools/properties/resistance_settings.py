@@ -10,14 +10,14 @@ from bpy.props import EnumProperty, FloatProperty, PointerProperty
 from .shared import angle, changed, length, mass, switch
 
 
-def _number(name, description, default, greatest, minimum=0.0):
+def _number(name, description, default, greatest, minimum=0.0, precision=2):
     return FloatProperty(
         name=name,
         description=description,
         default=default,
         min=minimum,
         max=greatest,
-        precision=2,
+        precision=precision,
         step=10,
         update=changed,
     )
@@ -26,8 +26,8 @@ def _number(name, description, default, greatest, minimum=0.0):
 _FROM_HULL = "0: what the hull has"
 
 
-def _length(name, description):
-    return length(name, f"{description}; {_FROM_HULL}")
+def _length(name, description, minimum=0.0):
+    return length(name, f"{description}; {_FROM_HULL}", minimum=minimum)
 
 
 def _input(name, description, greatest, minimum=0.0):
@@ -63,7 +63,8 @@ class HullHoltropInputs(bpy.types.PropertyGroup):
 
 
 class HullDelftInputs(bpy.types.PropertyGroup):
-    """What is given of the canoe body to the Delft series, by hull_native.DelftYacht's names."""
+    """What is given of the canoe body to the Delft series, by hull_native.DelftYacht's names, and
+    of all keels and all rudders by hull_native.DelftFin's."""
 
     length: _length("Length", "On the waterline")
     beam: _length("Beam", "On the waterline")
@@ -75,6 +76,27 @@ class HullDelftInputs(bpy.types.PropertyGroup):
     midship: _input("CM", "Largest section by beam and draft", 1.1)
     lcb: _length("LCB", "Centre of buoyancy abaft the waterline's forward end")
     lcf: _length("LCF", "Centre of flotation abaft the waterline's forward end")
+    keel_wetted_surface: _input("Keel m²", "Wetted surface of the keels, both sides, in m²", 1e6)
+    keel_chord: _length("Keel c", "Mean chord of the keels")
+    keel_thickness: _input("Keel t/c", "Thickness of the keels by their chord", 1.1)
+    keel_volume: _input("Keel m³", "Volume of the keels, in m³", 1e8)
+    keel_total_draft: _length("Keel T", "Draft of the yacht with the keel")
+    keel_centre: _length(
+        "Keel Z", "Centre of the keels' volume below the canoe body; negative: above", None
+    )
+    rudder_wetted_surface: _input(
+        "Rud. m²", "Wetted surface of the rudders, both sides, in m²", 1e6
+    )
+    rudder_chord: _length("Rud. c", "Mean chord of the rudders")
+    rudder_thickness: _input("Rud. t/c", "Thickness of the rudders by their chord", 1.1)
+
+
+class HullMichellInputs(bpy.types.PropertyGroup):
+    """What is given to the friction beside Michell's integral, by hull_native.michell_table's
+    names."""
+
+    length: _length("Length", "By which the Reynolds number of the friction goes")
+    wetted_surface: _input("S m²", "Wetted surface for the friction, in m²", 1e6)
 
 
 class HullResistance(bpy.types.PropertyGroup):
@@ -122,9 +144,16 @@ class HullResistance(bpy.types.PropertyGroup):
         "Propeller", "Its diameter, for wake and thrust deduction; 0: not reckoned"
     )
     twin_screw: switch("Twin screws", "Two propellers")
+    open_stern: switch(
+        "Open stern", "A single screw behind shafts and brackets, as fast ships have it"
+    )
+    blade_area_ratio: _number(
+        "AE/AO", "Expanded area of the blades by that of the propeller's disc", 0.6, 2.0, 0.1
+    )
+    pitch_ratio: _number("P/D", "Pitch of the propellers by their diameter", 1.0, 5.0, 0.1)
     open_water_efficiency: _number(
         "Open water",
-        "Efficiency of the propeller in open water, for the delivered power; 0: not " "reckoned",
+        "Efficiency of the propeller in open water, for the delivered power; 0: not reckoned",
         0.0,
         0.99,
     )
@@ -132,8 +161,22 @@ class HullResistance(bpy.types.PropertyGroup):
         "Shaft", "What gears and bearings leave of the engine's power", 1.0, 1.0, 0.01
     )
     thruster_diameter: length("Thruster", "Diameter of a bow thruster's tunnel; 0: none")
+    thruster_coefficient: _number(
+        "CBTO", "Of the bow thruster's opening, from 0.003 to 0.012", 0.005, 0.1, precision=4
+    )
+    hulls: EnumProperty(
+        name="Hulls",
+        description="Whether hulls lie beside one another, which the method does not know",
+        items=(
+            ("FOUND", "As found", "What the hull has"),
+            ("ONE", "One ship", "One ship, whatever is found"),
+            ("BESIDE", "Side by side", "Hulls beside one another, as a catamaran's"),
+        ),
+        default="FOUND",
+        update=changed,
+    )
     roughness_um: _number("Roughness µm", "Of the hull; 150: that of new ships", 150.0, 1e4, 1.0)
-    planing_mass_t: mass("Mass t", f"Of the boat, in t; {_FROM_HULL}")
+    planing_mass_t: mass("Mass t", f"Of the boat, in t; {_FROM_HULL}", precision=2)
     planing_lcg: length(
         "LCG", f"Centre of gravity before the transom, along the keel; {_FROM_HULL}"
     )
@@ -145,7 +188,7 @@ class HullResistance(bpy.types.PropertyGroup):
         radians(44.0),
     )
     chine_beam: length(
-        "Chine beam", "Mean breadth over the chines where they are wet; 0: that of the waterline"
+        "Chine B", "Mean breadth over the chines where they are wet; 0: that of the waterline"
     )
     shaft_angle: angle(
         "Shaft angle", "Of the shaft against the keel", 0.0, radians(-45.0), radians(45.0)
@@ -165,12 +208,14 @@ class HullResistance(bpy.types.PropertyGroup):
             ("bulb_area", "Bulb", "Without a bulb"),
             ("transom_area", "Transom", "No transom in the water"),
             ("deadrise_deg", "Deadrise", "A flat bottom"),
+            ("keel_centre", "Keel Z", "The keels' centre as deep as the canoe body"),
         ),
         options={"ENUM_FLAG"},
         update=changed,
     )
     holtrop: PointerProperty(type=HullHoltropInputs)
     delft: PointerProperty(type=HullDelftInputs)
+    michell: PointerProperty(type=HullMichellInputs)
 
 
-CLASSES = (HullHoltropInputs, HullDelftInputs, HullResistance)
+CLASSES = (HullHoltropInputs, HullDelftInputs, HullMichellInputs, HullResistance)

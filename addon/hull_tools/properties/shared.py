@@ -29,9 +29,9 @@ def length(name, description, default=0.0, minimum=0.0, update=changed, **more):
     )
 
 
-def mass(name, description):
+def mass(name, description, precision=3):
     return FloatProperty(
-        name=name, description=description, min=0.0, precision=3, step=100, update=changed
+        name=name, description=description, min=0.0, precision=precision, step=100, update=changed
     )
 
 

@@ -52,7 +52,9 @@ def content(**changes):
                        "deadrise_deg": 18, "thrust_arm": -0.1, "twin_screw": True,
                        "shaft_efficiency": 0.98, "zeros": ["deadrise_deg", "transom_area"],
                        "holtrop": {"bulb_area": 2, "midship": 0},
-                       "delft": {"lcb": 4.5}},
+                       "open_stern": True, "hulls": "one", "blade_area_ratio": 0.7,
+                       "delft": {"lcb": 4.5, "keel_centre": -0.5},
+                       "michell": {"wetted_surface": 70}},
         "openings": [{"name": "hatch", "position": [5, 1, 3]}],
         "wind": {
             "hull_profile": False,

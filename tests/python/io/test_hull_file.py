@@ -35,7 +35,9 @@ def test_a_file_is_read(read):
         "savitsky", (5.0, 30.0, 2.5), stern=-10, deadrise_deg=18.0, thrust_arm=-0.1,
         twin_screw=True, shaft_efficiency=0.98, zeros=("transom_area", "deadrise_deg"),
         holtrop=hull_io.HoltropInputs(bulb_area=2.0),
-        delft=hull_io.DelftInputs(lcb=4.5),
+        open_stern=True, hulls="one", blade_area_ratio=0.7,
+        delft=hull_io.DelftInputs(lcb=4.5, keel_centre=-0.5),
+        michell=hull_io.MichellInputs(wetted_surface=70.0),
     )  # fmt: skip
     assert hull.downflooding_points == [hull_io.DownfloodingPoint("hatch", (5.0, 1.0, 3.0))]
     areas = [hull_io.WindArea("house", 20.0, 4.5), hull_io.WindArea("Wind area", 5.0)]

@@ -42,6 +42,7 @@ def paths(cls, before=""):
         "weights": hull_io.Weights, "items": hull_io.Weight,
         "resistance": hull_io.Resistance,
         "holtrop": hull_io.HoltropInputs, "delft": hull_io.DelftInputs,
+        "michell": hull_io.MichellInputs,
         "developables": hull_io.Developable,
         "curves": hull_io.ControlCurve,
         "ties": hull_io.Tie, "groups": hull_io.PointGroup,
@@ -233,7 +234,12 @@ def test_inputs_of_the_resistance_follow_where_they_are_dimensional():
         length=80.0, beam=12.0, draft_aft=5.0, displaced_volume=10.0, midship=0.9,
         wetted_surface=100.0, bulb_area=2.0, entrance_angle_deg=20.0,
     )  # fmt: skip
-    own.delft = hull_io.DelftInputs(waterplane_area=50.0, lcb=4.0, prismatic=0.5)
+    own.delft = hull_io.DelftInputs(
+        waterplane_area=50.0, lcb=4.0, prismatic=0.5, keel_wetted_surface=4.0, keel_volume=0.5,
+        keel_centre=-0.25, keel_thickness=0.1, rudder_chord=0.5,
+    )  # fmt: skip
+    own.michell = hull_io.MichellInputs(80.0, 100.0)
+    own.pitch_ratio, own.blade_area_ratio, own.thruster_coefficient = 1.1, 0.7, 0.004
     made = scaling.follow(data, scaling.Scale((2.0, 3.0, 4.0), (0.0, 0.0, 1.0))).resistance
     assert (made.thruster_diameter, made.planing_mass_t, made.planing_lcg) == (4.0, 120.0, 6.0)
     surface = made.holtrop.wetted_surface
@@ -242,7 +248,13 @@ def test_inputs_of_the_resistance_follow_where_they_are_dimensional():
         length=160.0, beam=36.0, draft_aft=21.0, displaced_volume=240.0, midship=0.9,
         wetted_surface=surface, bulb_area=24.0, entrance_angle_deg=20.0,
     )  # fmt: skip
-    assert made.delft == hull_io.DelftInputs(waterplane_area=300.0, lcb=8.0, prismatic=0.5)
+    assert made.delft == hull_io.DelftInputs(
+        waterplane_area=300.0, lcb=8.0, prismatic=0.5, keel_wetted_surface=32.0, keel_volume=12.0,
+        keel_centre=-1.0, keel_thickness=0.1, rudder_chord=1.0,
+    )  # fmt: skip
+    assert made.michell == hull_io.MichellInputs(160.0, surface)
+    coefficients = made.pitch_ratio, made.blade_area_ratio, made.thruster_coefficient
+    assert coefficients == (1.1, 0.7, 0.004)
     # Of a hull that keeps its proportions a wetted surface grows as any area does.
     assert scaling.Scale((2.0, 2.0, 2.0)).surface(3.0) == pytest.approx(12.0)
 

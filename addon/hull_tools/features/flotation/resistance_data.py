@@ -6,9 +6,11 @@ from math import degrees, radians
 from ....hull_io.ship_data import (
     DELFT_UNITS,
     HOLTROP_UNITS,
+    MICHELL_UNITS,
     ZERO_INPUTS,
     DelftInputs,
     HoltropInputs,
+    MichellInputs,
     Resistance,
 )
 from ...bridge.blender.units import as_stored, as_typed
@@ -21,30 +23,46 @@ _NUMBERS = (
     "appendage_factor",
     "open_water_efficiency",
     "shaft_efficiency",
+    "blade_area_ratio",
+    "pitch_ratio",
+    "thruster_coefficient",
     "roughness_um",
     "planing_mass_t",
     "wave_speed_kn",
 )
 _ANGLES = ("deadrise", "shaft_angle", "heel")
-_INPUTS = {"holtrop": (HoltropInputs, HOLTROP_UNITS), "delft": (DelftInputs, DELFT_UNITS)}
+_INPUTS = {
+    "holtrop": (HoltropInputs, HOLTROP_UNITS),
+    "delft": (DelftInputs, DELFT_UNITS),
+    "michell": (MichellInputs, MICHELL_UNITS),
+}
 
 
 def give(settings, own, scale):
     """To an Object.hull.resistance; scale: metres of Blender's unit."""
     settings.method, settings.stern = own.method.upper(), str(own.stern)
-    settings.twin_screw, settings.zeros = own.twin_screw, set(own.zeros)
+    settings.hulls, settings.zeros = own.hulls.upper(), set(own.zeros)
+    settings.twin_screw, settings.open_stern = own.twin_screw, own.open_stern
     for name, speed in zip(_SPEEDS, own.speeds_kn):
-        setattr(settings, name, speed)
+        _set(settings, name, speed)
     for name in _NUMBERS:
-        setattr(settings, name, getattr(own, name))
+        _set(settings, name, getattr(own, name))
     for name in _LENGTHS:
-        setattr(settings, name, getattr(own, name) / scale)
+        _set(settings, name, getattr(own, name) / scale)
     for name in _ANGLES:
-        setattr(settings, name, radians(getattr(own, f"{name}_deg")))
+        _set(settings, name, radians(getattr(own, f"{name}_deg")))
     for group, (_, units) in _INPUTS.items():
         for name, unit in units.items():
             value = getattr(getattr(own, group), name) or 0.0
-            setattr(getattr(settings, group), name, value / scale if unit == "m" else value)
+            _set(getattr(settings, group), name, value / scale if unit == "m" else value)
+
+
+def _set(settings, name, number):
+    """A number that is the usual one is left unset: each variant would keep all of them."""
+    if number == as_stored(settings.bl_rna.properties[name].default):
+        settings.property_unset(name)
+    else:
+        setattr(settings, name, number)
 
 
 def taken(settings, metres):
@@ -59,7 +77,9 @@ def taken(settings, metres):
         method=settings.method.lower(),
         speeds_kn=tuple(as_stored(getattr(settings, name)) for name in _SPEEDS),
         stern=int(settings.stern),
+        hulls=settings.hulls.lower(),
         twin_screw=settings.twin_screw,
+        open_stern=settings.open_stern,
         zeros=tuple(name for name in ZERO_INPUTS if name in settings.zeros),
         **{f"{name}_deg": as_typed(degrees(getattr(settings, name))) for name in _ANGLES},
         **{name: as_stored(getattr(settings, name)) for name in _NUMBERS},
@@ -69,8 +89,8 @@ def taken(settings, metres):
 
 
 def given(settings, group, metres):
-    """The numbers in place of what the hull has, by their names, 0 of none; group: "holtrop" or
-    "delft"."""
+    """The numbers in place of what the hull has, by their names, 0 of none; group: "holtrop",
+    "delft" or "michell"."""
     _, units = _INPUTS[group]
     own = getattr(settings, group)
     return {

@@ -22,6 +22,9 @@ NAMES = {
 }
 
 
+_BESIDE = {"FOUND": None, "ONE": False, "BESIDE": True}
+
+
 @dataclass(frozen=True)
 class Inputs:
     """given: pairs (field of what hull_native asks of the ship, value) that replace what the hull
@@ -34,11 +37,12 @@ class Inputs:
     stern: float
     appendages: tuple  # (area in m², 1 + k2), or none
     propeller: tuple  # pairs (argument of hull_native.Propeller, value), or none
-    thruster_diameter: float
+    thruster: tuple  # (diameter of the tunnel in m, coefficient of its opening)
     roughness: float  # m
     planing: tuple  # pairs (argument of hull_native.planing_boat, value), with Savitsky alone
     heel_deg: float  # with the Delft series alone
     given: tuple
+    side_by_side: object = None  # True or False, None: as the hull has it
     beside: object = None  # Beside, or None
 
 
@@ -75,11 +79,15 @@ def own_inputs(settings, metres_per_unit):
         float(own.stern),
         (area, factor) if area > 0.0 else (),
         _propeller(own, metres(own.propeller_diameter, "Propeller"), number),
-        metres(own.thruster_diameter, "Thruster"),
+        (
+            metres(own.thruster_diameter, "Thruster"),
+            number("thruster_coefficient", "CBTO", 0.0, 0.1),
+        ),
         1e-6 * number("roughness_um", "Roughness in µm", 1.0, 1e4),
         _planing(settings, metres) if own.method == "SAVITSKY" else (),
         math.degrees(afloat.as_typed_angle(own.heel)) if own.method == "DELFT" else 0.0,
         given(own, own.method, metres_per_unit),
+        _BESIDE[own.hulls],
     )
 
 
@@ -117,6 +125,9 @@ def _propeller(own, diameter, number):
     return (
         ("diameter", diameter),
         ("screws", 2 if own.twin_screw else 1),
+        ("open_stern", own.open_stern),
+        ("area_ratio", number("blade_area_ratio", "AE/AO", 0.1, 2.0)),
+        ("pitch_ratio", number("pitch_ratio", "P/D", 0.1, 5.0)),
         ("open_water_efficiency", number("open_water_efficiency", "Open water", 0.0, 0.99)),
         ("shaft_efficiency", number("shaft_efficiency", "Shaft", 0.01, 1.0)),
     )
@@ -146,10 +157,8 @@ def given(own, method, metres_per_unit):
             "deadrise_deg": math.degrees(afloat.as_typed_angle(own.deadrise)),
             "lcg": metres(own.planing_lcg),
         }
-    elif method in ("HOLTROP", "DELFT"):
-        values = resistance_data.given(own, method.lower(), metres)
     else:
-        values = {}
+        values = resistance_data.given(own, method.lower(), metres)
     return tuple((name, value) for name, value in values.items() if value or name in own.zeros)
 
 

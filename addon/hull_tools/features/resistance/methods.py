@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Rows over speeds of a ship by each method, and what of the hull they rest on. No Blender here."""
 
-from dataclasses import asdict, dataclass, replace
+from dataclasses import asdict, dataclass, fields, replace
 
 from ...bridge import native
 
@@ -24,20 +24,25 @@ def found(body, asked):
 
 
 def _michell(body, asked, position):
-    rows = native.require().michell_table(
+    hull_native = native.require()
+    rows = hull_native.michell_table(
         body,
         asked.speeds,
         form_factor=asked.form_factor,
         water_density=asked.where.water_density,
         **position,
+        **dict(asked.given),
     )
-    return Found(rows, {})
+    return Found(rows, asdict(hull_native.thin_ship(body, **position)))
 
 
 def _holtrop(body, asked, position):
     hull_native = native.require()
     ship = hull_native.holtrop_ship(body, **position)
-    own = {"stern_coefficient": asked.stern, "thruster_diameter": asked.thruster_diameter}
+    own = {"stern_coefficient": asked.stern}
+    own["thruster_diameter"], own["thruster_coefficient"] = asked.thruster
+    if asked.side_by_side is not None:
+        own["side_by_side"] = asked.side_by_side
     if asked.appendages:
         own["appendages"] = (asked.appendages,)
     propeller = hull_native.Propeller(**dict(asked.propeller)) if asked.propeller else None
@@ -68,18 +73,40 @@ def _savitsky(body, asked, position):
 
 def _delft(body, asked, position):
     hull_native = native.require()
-    fins = hull_native.delft_fins(body, **position)
+    found = hull_native.delft_fins(body, **position)
     yacht = hull_native.delft_yacht(body, **position)
+    keels, rudders = (
+        hull_native.given_fins(fins, _given_of(asked.given, name), name)
+        for name, fins in (("keel", found.keels), ("rudder", found.rudders))
+    )
+    names = {each.name for each in fields(yacht)}
     rows = hull_native.delft_table(
-        replace(yacht, **dict(asked.given)),
+        replace(yacht, **{name: value for name, value in asked.given if name in names}),
         asked.speeds,
         heel_deg=asked.heel_deg,
-        keel=fins.keels,
-        rudder=fins.rudders,
+        keel=keels,
+        rudder=rudders,
         form_factor=asked.form_factor,
         water_density=asked.where.water_density,
     )
-    return Found(rows, asdict(yacht), tuple(_told_of(fins)))
+    measured = {**asdict(yacht), **_measured("keel", found.keels)}
+    measured.update(_measured("rudder", found.rudders))
+    told = _told_of(replace(found, keels=keels, rudders=rudders))
+    return Found(rows, measured, tuple(told))
+
+
+def _given_of(given, name):
+    """What is given of keels or rudders, by the names of DelftFin's fields."""
+    begin = f"{name}_"
+    return {each[len(begin) :]: value for each, value in given if each.startswith(begin)}
+
+
+def _measured(name, fins):
+    """What keels or rudders are together, 0 of none, by the names of what is given."""
+    hull_native = native.require()
+    one = hull_native.one_fin(fins)
+    names = [each.name for each in fields(hull_native.DelftFin)]
+    return {f"{name}_{each}": getattr(one, each, 0.0) for each in names}
 
 
 def _told_of(fins):

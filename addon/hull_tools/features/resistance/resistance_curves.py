@@ -33,8 +33,11 @@ class Result:
         known = {row["speed_m_s"] for row in self.rows}
         left_out = [speed for speed in self.given.speeds if speed not in known]
         if left_out and self.given.method == "SAVITSKY":
-            knots = ", ".join(f"{speed / KNOT:.4g}" for speed in left_out)
+            knots = _listed([speed / KNOT for speed in left_out])
             yield f"No equilibrium by Savitsky's formulas, and left out: {knots} kn"
+        empty = [row["speed_kn"] for row in self.rows if math.isnan(row["total_kN"])]
+        if empty:
+            yield f"Without numbers, as out of what can be computed: {_listed(empty)} kn"
         worst = max((_error(row) for row in self.rows), default=0.0)
         if worst > 0.01:
             yield f"The wave resistance is known to {100.0 * worst:.1f} % only: the ends are blunt"
@@ -47,6 +50,10 @@ class Result:
         else:
             where = self.given.beside.inputs.where
             yield f"Compared with {self.other.name}, at {asked.at(where)}"
+
+
+def _listed(numbers):
+    return ", ".join(f"{number:.4g}" for number in numbers)
 
 
 def _first_of_each(sentences):
@@ -98,10 +105,15 @@ def header(result):
 
 
 def rows(result):
-    own = [list(row.values()) for row in result.rows]
+    own = [[_there(value) for value in row.values()] for row in result.rows]
     if not is_compared(result):
         return own
     return [[*cells, *_cells(result.other, row)] for cells, row in zip(own, result.rows)]
+
+
+def _there(value):
+    """None, an empty cell, for NaN."""
+    return None if isinstance(value, float) and math.isnan(value) else value
 
 
 def is_compared(result):
@@ -116,7 +128,7 @@ def _cells(other, row):
     total, power = theirs["total_kN"], theirs["effective_power_kW"]
     difference = row["total_kN"] - total
     part = 100.0 * difference / total if total > 0.0 else None
-    return [total, difference, part, power, other.name]
+    return [*map(_there, (total, difference, part, power)), other.name]
 
 
 def plot(result, name, shown=METRIC):

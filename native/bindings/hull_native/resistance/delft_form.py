@@ -2,7 +2,7 @@
 """What the regressions of the Delft series ask of a sailing yacht, given or from an exact hull."""
 
 import math
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, fields, replace
 
 from .. import _core
 from .positive_fields import check_positive
@@ -69,6 +69,64 @@ class DelftFin:
     def form_factor(self):
         """1 + k by Hoerner (1965), 1 + 2 t/c + 60 (t/c)⁴."""
         return 1.0 + 2.0 * self.thickness + 60.0 * self.thickness**4
+
+
+# Of several fins what adds up, and what of their volumes alone is told.
+_SUMS, _OF_VOLUMES = ("wetted_surface", "volume"), ("volume", "total_draft", "centre")
+
+
+def one_fin(fins):
+    """The DelftFin that several are together, None of none: surfaces and volumes add up, chord and
+    thickness are means by surface, the draft is the deepest, the centre that of the volumes."""
+    if not fins:
+        return None
+    surface = sum(fin.wetted_surface for fin in fins)
+    chord, thickness = (
+        sum(fin.wetted_surface * getattr(fin, name) for fin in fins) / surface
+        for name in ("chord", "thickness")
+    )
+    heavy = [fin for fin in fins if fin.volume is not None]
+    volume = sum(fin.volume for fin in heavy) if heavy else None
+    return DelftFin(
+        surface,
+        chord,
+        thickness,
+        volume,
+        max(fin.total_draft for fin in heavy) if heavy else None,
+        sum(fin.volume * fin.centre for fin in heavy) / volume if heavy else None,
+        name=", ".join(fin.name for fin in fins),
+    )
+
+
+def given_fins(fins, given, name="keel"):
+    """A tuple of DelftFin: `fins` with what is given, by the names of DelftFin's fields, in place
+    of what they are together.
+
+    Surfaces and volumes are shared out as theirs are; all else is that of each. Where there are no
+    fins it is the one that is given. name: what the fins are, for what is told. ValueError for one
+    that lacks its surface or chord, and as DelftFin.
+    """
+    if not given:
+        return tuple(fins)
+    together = one_fin(fins)
+    if together is None:
+        if not {"wetted_surface", "chord"} <= given.keys():
+            raise ValueError(
+                f"The hull has no {name} joined to it: of one that is given wetted surface and "
+                "chord are needed."
+            )
+        return (DelftFin(**given, name=name),)
+    if together.volume is None and not given.keys().isdisjoint(_OF_VOLUMES):
+        return (replace(together, **given),)
+
+    def changed(fin):
+        left_out = () if fin.volume is not None else _OF_VOLUMES
+        values = {each: value for each, value in given.items() if each not in left_out}
+        for each in values.keys() & set(_SUMS):
+            values[each] *= getattr(fin, each) / getattr(together, each)
+        return replace(fin, **values)
+
+    return tuple(map(changed, fins))
 
 
 def bare_body(body):

@@ -8,14 +8,14 @@ forces in kN, densities in t/m³.
 """
 
 import math
-from dataclasses import dataclass, fields, replace
+from dataclasses import dataclass, fields
 
 import numpy as np
 
 from .._core import SEA_WATER_DENSITY
 from .._resistance import GRAVITY, ittc_1957
 from .delft_coefficients import HEELED, HEELED_KEEL, HULL, KEEL, WETTED
-from .delft_form import DelftFin
+from .delft_form import DelftFin, one_fin
 from .water import water_viscosity
 
 _REYNOLDS_LENGTH = 0.7  # of the waterline
@@ -114,24 +114,13 @@ def _all_of(fins):
     return (fins,) if isinstance(fins, DelftFin) else tuple(fins)
 
 
-def _with_waves(keels):
-    """One DelftFin of all keels with a volume, None without any."""
-    keels = [keel for keel in keels if keel.volume is not None]
-    if not keels:
-        return None
-    volume = sum(keel.volume for keel in keels)
-    centre = sum(keel.volume * keel.centre for keel in keels) / volume
-    total_draft = max(keel.total_draft for keel in keels)
-    return replace(keels[0], volume=volume, centre=centre, total_draft=total_draft)
-
-
 class _Run:
     """A yacht at a heel in her water."""
 
     def __init__(self, yacht, heel_deg, keel, rudder, form_factor, density, viscosity, gravity):
         self.yacht, self.heel_deg = yacht, heel_deg
         self.keels, self.rudders = _all_of(keel), _all_of(rudder)
-        self.keel = _with_waves(self.keels)
+        self.keel = one_fin([keel for keel in self.keels if keel.volume is not None])
         self.heel = math.radians(heel_deg)
         self.form_factor, self.density = form_factor, density
         self.viscosity, self.gravity = viscosity, gravity

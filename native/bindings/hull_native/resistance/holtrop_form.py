@@ -72,6 +72,11 @@ class HoltropShip:
         return sum(own * factor for own, factor in self.appendages) / area if area > 0.0 else 0.0
 
     @property
+    def bulb_depth(self):
+        """What c3 has of the bulb's centre below the water, above zero."""
+        return 0.31 * math.sqrt(self.bulb_area) + self.draft_forward - self.bulb_height
+
+    @property
     def length_of_run(self):
         """LR."""
         cp = self.prismatic
@@ -140,6 +145,12 @@ class HoltropShip:
                     f"Holtrop's formulas need {name} between {low} and {high}, not {value:.4g}: "
                     "check length, beam, drafts and volume."
                 )
+        if self.bulb_area > 0.0 and not self.bulb_depth > 0.0:
+            raise ValueError(
+                f"Holtrop's formulas need the bulb in the water: with bulb_height "
+                f"{self.bulb_height:.4g} its centre is too far above draft_forward "
+                f"{self.draft_forward:.4g}."
+            )
         ends = 1.0 - self.prismatic - 0.0225 * abs(self.lcb_percent)
         if not (ends > 0.0 and self.length_of_run > 0.0):
             raise ValueError(

@@ -130,8 +130,7 @@ def _form_coefficients(ship, edition):
     area, draft = ship.bulb_area, ship.draft_forward
     c["c3"] = 0.0
     if area > 0.0:
-        depth = 0.31 * math.sqrt(area) + draft - ship.bulb_height
-        c["c3"] = 0.56 * area**1.5 / (ship.beam * ship.draft * depth)
+        c["c3"] = 0.56 * area**1.5 / (ship.beam * ship.draft * ship.bulb_depth)
     c["c2"] = math.exp(-1.89 * math.sqrt(c["c3"]))
     c["c4"] = min(draft / ship.length, 0.04)
     c["c5"] = 1.0 - 0.8 * ship.transom_area / (ship.beam * ship.draft * ship.midship)

@@ -29,9 +29,9 @@ def resistance_plot(rows, *, title="Resistance", subtitles=(), others=(), units=
 
     rows: of michell_table(), holtrop_table(), savitsky_table() or delft_table(), one at least.
     others: pairs (name, rows) whose totals are drawn dashed beside it, such as another hull's or
-    method's. units: PlotUnits. ValueError for no rows.
+    method's. units: PlotUnits. Rows without numbers are left out. ValueError for no rows.
     """
-    rows = list(rows)
+    rows = _with_numbers(rows)
     if not rows:
         raise ValueError("A diagram of resistance needs a row of the table at least.")
     speeds = _column(rows, "speed_kn")
@@ -44,9 +44,14 @@ def resistance_plot(rows, *, title="Resistance", subtitles=(), others=(), units=
         if np.any(values):
             plot.add_curve(name, speeds, units.of(values, "kN"))
     for name, other in others:
+        other = _with_numbers(other)
         total = units.of(_column(other, "total_kN"), "kN")
         plot.add_curve(name, _column(other, "speed_kn"), total, style="dashed")
     return plot
+
+
+def _with_numbers(rows):
+    return [row for row in rows if not math.isnan(row["total_kN"])]
 
 
 def _column(rows, name):

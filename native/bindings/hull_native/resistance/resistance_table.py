@@ -4,17 +4,23 @@
 import math
 
 from .. import _core
-from .._resistance import GRAVITY, MichellIntegral, ittc_1957
+from .._resistance import GRAVITY, MichellIntegral
 from ..csv_rows import csv_text
 from .delft_series import delft
 from .holtrop_form import holtrop_ship
 from .holtrop_resistance import HoltropResult, holtrop
+from .michell_form import FrictionLine, thin_ship
 from .planing import savitsky
 from .water import water_viscosity
 
 KNOT = 1852.0 / 3600.0  # m/s
 
 _HOLTROP = ("friction", "form", "appendages", "wave", "bulb", "transom", "correlation", "total")
+
+
+# Froude numbers that MichellIntegral takes, on its own length; Reynolds numbers of ittc_1957().
+_WAVES, _LINE = (0.05, 5.0), 1000.0
+_MICHELL = ("friction", "form", "wave", "wave_error", "total")
 
 
 def michell_table(
@@ -25,42 +31,71 @@ def michell_table(
     trim=0.0,
     draft_at=0.0,
     form_factor=1.0,
+    length=None,
+    wetted_surface=None,
     water_density=_core.SEA_WATER_DENSITY,
     viscosity=None,
     tolerance=1e-3,
 ):
     """A list of dicts, one for each speed in m/s: friction by the ITTC 1957 line on the exact
-    wetted surface times form_factor, 1 + k, and wave resistance by Michell's integral. viscosity:
-    kinematic, m²/s; None: that of water of the density.
+    wetted surface times form_factor, 1 + k, and wave resistance by Michell's integral. length (m)
+    and wetted_surface (m²) replace those of the waterline and of the shell in the friction; waves
+    are those of the exact surface. viscosity: kinematic, m²/s; None: that of water of the density.
 
     Keys with units: speed_kn, speed_m_s, froude, friction_kN, form_kN, wave_kN, wave_error_kN,
-    total_kN, effective_power_kW. ValueError as MichellIntegral, and for a form factor below zero.
+    total_kN, effective_power_kW; "outside" as holtrop_table(). At a speed that the integral or the
+    line has no number for, the row has NaN and says why. ValueError as MichellIntegral, for speeds,
+    a form factor, a length or a surface that is no number above zero, and where no speed is left.
     """
     if viscosity is None:
         viscosity = water_viscosity(water_density)
     if not (form_factor >= 0.0 and math.isfinite(form_factor)):
         raise ValueError(f"The form factor 1 + k must not be negative, as {form_factor} is.")
-    where = {"draft": draft, "trim": trim, "draft_at": draft_at, "water_density": water_density}
-    waves = MichellIntegral(body, tolerance=tolerance, **where).resistance(speeds)
-    water = _core.hydrostatics(body, **where)
-    length = water.waterline_length or water.immersed_length
-    rows = []
-    for wave in waves:
-        line = ittc_1957(wave.speed * length / viscosity)
-        friction = 0.5 * water_density * wave.speed**2 * water.wetted_surface * line
-        total = form_factor * friction + wave.resistance
-        rows.append(
-            {
-                **_speed_columns(wave.speed, length),
-                "friction_kN": friction,
-                "form_kN": (form_factor - 1.0) * friction,
-                "wave_kN": wave.resistance,
-                "wave_error_kN": wave.error,
-                "total_kN": total,
-                "effective_power_kW": total * wave.speed,
-            }
-        )
-    return rows
+    where = {"draft": draft, "trim": trim, "draft_at": draft_at}
+    integral = MichellIntegral(body, tolerance=tolerance, water_density=water_density, **where)
+    ship = thin_ship(body, **where)
+    line = FrictionLine(
+        ship.length if length is None else length,
+        ship.wetted_surface if wetted_surface is None else wetted_surface,
+        form_factor,
+        water_density,
+        viscosity,
+    )
+    asked = [(speed, _missing(integral, line, speed)) for speed in map(float, speeds)]
+    there = [speed for speed, missing in asked if not missing]
+    if not there:
+        raise ValueError(asked[0][1] if asked else "There are no speeds: give at least one.")
+    waves = dict(zip(there, integral.resistance(there)))
+    return [_michell_row(ship, line, speed, waves.get(speed), missing) for speed, missing in asked]
+
+
+def _missing(integral, line, speed):
+    """Why there is no number at a speed; "" where there is one."""
+    if not (speed > 0.0 and math.isfinite(speed)):
+        raise ValueError(f"The speed must be a number above zero, not {speed}.")
+    froude = speed / math.sqrt(GRAVITY * integral.length)
+    if not _WAVES[0] <= froude <= _WAVES[1]:
+        low, high = _WAVES
+        return f"Froude number of Michell's integral {froude:.3g} is outside {low} to {high:.3g}"
+    if not line.reynolds(speed) > _LINE:
+        number = line.reynolds(speed)
+        return f"Reynolds number of the ITTC line {number:.3g} is not above {_LINE:.0f}"
+    return ""
+
+
+def _michell_row(ship, line, speed, wave, missing):
+    row = _speed_columns(speed, ship.length)
+    outside = ship.outside(row["froude"], line.reynolds(speed))
+    if wave is None:
+        values, outside = dict.fromkeys(_MICHELL, math.nan), (missing, *outside)
+    else:
+        friction, total = line.friction(speed), line.resistance(speed) + wave.resistance
+        form = line.resistance(speed) - friction
+        values = dict(zip(_MICHELL, (friction, form, wave.resistance, wave.error, total)))
+    row.update({f"{name}_kN": value for name, value in values.items()})
+    row["effective_power_kW"] = values["total"] * speed
+    row["outside"] = "; ".join(outside)
+    return row
 
 
 def holtrop_table(body, speeds, *, draft, trim=0.0, draft_at=0.0, given=None, **how):
