@@ -131,8 +131,8 @@ def mean_bending(surface, flat, parts=6, step=1e-4):
         normals = np.cross(du, dv)
         areas = np.linalg.norm(normals, axis=1)
         second = -np.einsum(
-            "nk,nijk->nij", normals / areas[:, None], np.stack([duu, duv, duv, dvv], 1).reshape(-1, 2, 2, 3)
-        )  # fmt: skip
+            "nk,nak->na", normals / areas[:, None], np.stack([duu, duv, duv, dvv], axis=1)
+        ).reshape(-1, 2, 2)
         on = np.isfinite(slopes).all(axis=(1, 2))
         back = np.linalg.inv(slopes[on])
         total += np.einsum("n,nji,njk,nkl->il", areas[on], back, second[on], back)
