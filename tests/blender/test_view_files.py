@@ -59,8 +59,9 @@ def test_curvature_beside_the_compared_hull(tmp_path, monkeypatch):
         np.vstack([line for dashes, line in curves if bool(dashes) == is_dashed])
         for is_dashed in (False, True)
     )
+    # Curvatures are at points of each station, the sharpest between two of them.
     assert np.ptp(now[:, 0]) == pytest.approx(2.0 * np.ptp(before[:, 0]), rel=1e-3)
-    assert now[:, 1].max() == pytest.approx(0.5 * before[:, 1].max(), rel=1e-3)
+    assert now[:, 1].max() == pytest.approx(0.5 * before[:, 1].max(), rel=1e-2)
 
 
 def test_lines_in_space_are_written(tmp_path):
