@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Views without hidden lines, curvature along sections, lines plans of some views."""
+"""Views without hidden lines, curvature along sections."""
 
 import math
 
@@ -201,35 +201,6 @@ def test_curvature_plot(tmp_path):
     ):
         with pytest.raises(ValueError, match=words):
             call()
-
-
-# --- views of the lines plan ----------------------------------------------------------------------
-
-
-def test_lines_plan_of_one_view(tmp_path):
-    _, body = body_of("coaster")
-    options = {"mirrored": True, "stations": 4.2, "waterlines": 1.0, "offsets": False}
-    texts = {}
-    for views in (("body_plan",), ("profile",), ("profile", "half_breadth", "body_plan")):
-        path = tmp_path / f"{len(views)}{views[0]}.svg"
-        hn.write_lines_drawing(body.surface, path, views=views, **options)
-        texts[views] = path.stat().st_size
-    whole = texts[("profile", "half_breadth", "body_plan")]
-    assert all(size < whole for views, size in texts.items() if len(views) == 1)
-    for views, words in (((), "view at least"), (("plan",), "A view is")):
-        with pytest.raises(ValueError, match=words):
-            hn.write_lines_drawing(body.surface, tmp_path / "x.svg", views=views, **options)
-
-
-def test_one_view_has_a_larger_scale(tmp_path):
-    """The body plan alone fits where three views do not."""
-    _, body = body_of("coaster")
-    options = {"mirrored": True, "stations": 4.2, "offsets": False, "paper": "A3", "scale": 75}
-    path = tmp_path / "plan.pdf"
-    with pytest.raises(ValueError, match="does not fit"):
-        hn.write_lines_drawing(body.surface, path, **options)
-    hn.write_lines_drawing(body.surface, path, views=("body_plan",), **options)
-    assert path.stat().st_size > 5000
 
 
 def test_a_tolerance_of_zero_is_none():
