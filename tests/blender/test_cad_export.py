@@ -224,8 +224,8 @@ def test_a_path_that_is_a_folder(tmp_path):
 
 @contextmanager
 def full_disk(most=2000):
-    """No file can grow beyond so many bytes, which fails as it does on a full disk. Nor can a log that
-    the tests are written to, so that this must be over before they are."""
+    """No file can grow beyond so many bytes, which fails as it does on a full disk. Nor can a log
+    that the tests are written to, so that this must be over before they are."""
     sys.stdout.flush()
     limits = resource.getrlimit(resource.RLIMIT_FSIZE)
     handler = signal.signal(signal.SIGXFSZ, signal.SIG_IGN)

@@ -31,8 +31,8 @@ def test_curvature_is_written(tmp_path):
 
 
 def test_curvature_beside_the_compared_hull(tmp_path, monkeypatch):
-    """The variant is drawn, dashed, with its own curvature: the station is twice as large since, its
-    bends are half as sharp."""
+    """The variant is drawn, dashed, with its own curvature: the station is twice as large since,
+    its bends are half as sharp."""
     hull = sample()
     assert bpy.ops.hull.keep_variant(name="As it was") == {"FINISHED"}
     for vertex in hull.data.vertices:

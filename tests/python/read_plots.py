@@ -15,8 +15,8 @@ def _numbers(labels, along):
 
 
 def read_curves(sheet):
-    """[(dashes in mm, points (n, 2) in the units of the axes)] of what runs through the diagram of a
-    PlotSheet above its grid, in the order drawn: curves, and lines across."""
+    """[(dashes in mm, points (n, 2) in the units of the axes)] of what runs through the diagram of
+    a PlotSheet above its grid, in the order drawn: curves, and lines across."""
     left, top, right, bottom = sheet.diagram
     ticks = {0: [], 1: []}
     drawn = []

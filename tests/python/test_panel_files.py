@@ -54,9 +54,10 @@ def fluxes(corners):
 @pytest.mark.parametrize("name", SAMPLES)
 @pytest.mark.parametrize("heel_deg", [0.0, 11.0])
 def test_wamit_takes_all_panels(name, heel_deg, tmp_path):
-    """All there as they are, none without area or with more than two corners in the water's surface,
-    to which WAMIT objects. Upright the half y >= 0 has ISY = 1 and half of the volume by each flux.
-    Heeled, the barge's deck is in the water: closing lines run along the transom's edge."""
+    """All there as they are, none without area or with more than two corners in the water's
+    surface, to which WAMIT objects. Upright the half y >= 0 has ISY = 1 and half of the volume by
+    each flux. Heeled, the barge's deck is in the water: closing lines run along the transom's
+    edge."""
     _, _, mesh = panels_at(name, 0.5, heel_deg, 20)
     hull_io.write_gdf(tmp_path / "hull.gdf", mesh.points, mesh.panels, half=mesh.half)
     (ulen, gravity), symmetry, corners = read_gdf(tmp_path / "hull.gdf")

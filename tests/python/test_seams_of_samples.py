@@ -79,8 +79,8 @@ def test_seams_at_girths(name, base_of, towards):
 @pytest.mark.parametrize("name", ["coaster", "catamaran", "naval_vessel"])
 @pytest.mark.parametrize("plane", [[1.0, 0.0, 0.0, 0.31], [0.2, 0.1, 1.0, 0.45]])
 def test_seams_in_planes(name, plane):
-    """Points in the plane and on the surface, steps within the chord tolerance of it, and all of the
-    section is there, the plane lying at a part of the hull's extent across it."""
+    """Points in the plane and on the surface, steps within the chord tolerance of it, and all of
+    the section is there, the plane lying at a part of the hull's extent across it."""
     _, body = body_of(name)
     surface, tolerance = body.surface, 2e-3
     normal = np.array(plane[:3]) / np.linalg.norm(plane[:3])
@@ -131,3 +131,23 @@ def test_a_seam_by_projection():
             share = (point[2] - z[k]) / np.where(z[k + 1] == z[k], 1.0, z[k + 1] - z[k])
             breadths += list(y[k] + share * (y[k + 1] - y[k]))
         assert point[1] == pytest.approx(max(breadths), abs=1e-4)
+
+
+@pytest.mark.parametrize("name", ["coaster", "catamaran", "naval_vessel"])
+def test_girths_of_the_frame_table(name):
+    """Against sections of fine chords: less by a third of the chords' tolerance times the angle by
+    which the section turns, at most."""
+    _, body = body_of(name)
+    surface = body.surface
+    low, high = surface.mesh.points[:, 0].min(), surface.mesh.points[:, 0].max()
+    table = hn.frame_table([(0, 12, (high - low) / 13.0)])
+    tolerance, compared = 1e-5 * surface.mesh.size, 0
+    for row in hn.frame_rows(table, surface, mirrored=True):
+        curves = hn.section(surface, "x", row["x_m"], FINE)
+        exact = 2.0 * sum(np.linalg.norm(np.diff(c.points, axis=0), axis=1).sum() for c in curves)
+        ways = [np.diff(c.points[:, 1:], axis=0) for c in curves]
+        angles = [np.unwrap(np.arctan2(way[:, 1], way[:, 0])) for way in ways]
+        turned = 2.0 * sum(np.abs(np.diff(one)).sum() for one in angles)
+        assert -1e-8 < exact - row["girth_m"] < tolerance * turned / 3.0 + 1e-8
+        compared += row["girth_m"] > 1.0
+    assert compared >= 10

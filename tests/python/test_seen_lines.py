@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What a view shows of the coaster's stations and what it hides, against rays from the exact surface
-towards the eye, past surface, mirror image and deck: all lines but those within NEAR of an
-outline."""
+"""What a view shows of the coaster's stations and what it hides, against rays from the exact
+surface towards the eye, past surface, mirror image and deck: all but within NEAR of an outline."""
 
 import math
 

@@ -183,7 +183,7 @@ def test_curvature_plot(tmp_path):
     x_off, y_off = 1e-4 * line[:, 0].max(), 1e-4 * own[:, 1].max()
     assert line[:, 1] == pytest.approx([0.5, 0.5], abs=y_off)
     assert np.ptp(line[:, 0]) > 0.99 * other[:, 0].max()
-    # From the level cut at 2.5 m down and up again, beside whose ends, as about the pole, the ball is none.
+    # From the level cut at 2.5 m down and up again; at its ends, and at the pole, the ball is none.
     girth = 2.0 * 5.0 * (math.pi / 2 + math.asin(0.5))
     assert np.ptp(other[:, 0]) == pytest.approx(girth, rel=2e-3)
     inside = np.abs(other[:, 0] - 0.5 * girth) < 0.4 * girth

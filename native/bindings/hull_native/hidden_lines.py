@@ -76,8 +76,8 @@ class Sight:
         return sees
 
     def pieces(self, lines):
-        """For each of polylines its pieces from end to end, (whether it is seen, polyline of as many
-        columns). All are looked at together: what hides them is sorted once for a look."""
+        """For each of polylines its pieces from end to end, (whether it is seen, polyline of the
+        same columns). All are looked at together: what hides them is sorted once for a look."""
         dense = [_dense(line, self._step) for line in lines]
         counts = [max(0, len(line) - 1) for line in dense]
         middles = [0.5 * (line[1:] + line[:-1]) for line in dense]

@@ -8,7 +8,7 @@ from ._drawing import ShopDrawing
 from ._production import ClosedModel, closed_model
 from .hidden_lines import Eye, Sight
 
-# Of the model's size: how far the model's triangles may be from the surface, as far as the chords of
+# Of the model's size: how far the model's triangles may be from the surface, and the chords of
 # lines on it; by how many times that these are outside of it before it is asked what hides them.
 _TOLERANCE, _OUTSIDE = 1e-4, 3.0
 # Points of knuckles and borders between control points.
@@ -42,8 +42,9 @@ def view_drawing(
     the hull's middle, m; None: in parallel rays, at true size. tolerance, m: how far the triangles
     that hide lines may be from the surface (1e-4 of its size by default). Where a line passes
     behind an outline its end is off by three tolerances at most, and by 1e-5 of the drawing's
-    size. Pieces shorter than 1/800 of the size may be missed. progress: called with the share done. ValueError
-    for axes that are none, an eye in the hull, and as closed_model(), a tolerance of 0 for one.
+    size. Pieces shorter than 1/800 of the size may be missed. progress: called with the share
+    done. ValueError for axes that are none, an eye in the hull, and as closed_model(), a tolerance
+    of 0 for one.
     """
     axes = np.asarray(axes, dtype=float)
     if axes.shape != (3, 3) or np.abs(axes @ axes.T - np.eye(3)).max() > 1e-6:
@@ -169,8 +170,8 @@ def _normals_along(surface, tree, points):
 
 
 def _features(body):
-    """The same of knuckles and borders, which have another normal on each side; of borders, one, and
-    that of the mirror image in the centre plane."""
+    """The same of knuckles, which have another normal on each side, and of borders, which have one,
+    and that of the mirror image in the centre plane."""
     surface = body.surface
     on_centre = tolerances.ON_CENTRE_PLANE * surface.mesh.size
     for curve in crease_curves(surface):
