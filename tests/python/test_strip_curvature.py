@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Strips between two curves, cones and cylinders have no Gaussian curvature as they are made: one
-normal along each ruling, and by Gauss and Bonnet's theorem nothing left within their borders."""
+normal along each ruling, and nothing left within their borders by the theorem of Gauss and Bonnet
+(do Carmo 1976)."""
 
 import math
 
@@ -94,8 +95,8 @@ def spline_over(parameters, values):
 
 
 def inner_curvature(a, b, s, t, normals):
-    """∫ K dA between the first of the rulings at s and t and the last by Gauss and Bonnet's
-    theorem: what the border's geodesic curvature and the angles at its corners leave of a full
+    """∫ K dA between the first of the rulings at s and t and the last by the theorem of Gauss and
+    Bonnet: what the border's geodesic curvature and the angles at its corners leave of a full
     turn. normals: at a and at b."""
     bends, angles = 0.0, -2.0 * math.pi
     q = unit(at(b, t) - at(a, s))
