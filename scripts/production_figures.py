@@ -23,7 +23,8 @@ SAMPLE = Path(__file__).parents[1] / "samples" / "coaster.hull.json"
 # Sheets in mm, and dots an inch.
 SHEETS = {"template": (260, 180), "frame": (260, 180)}
 LOW_SHEET = (260, 110)
-# Of a low sheet at 1:2, below its title: mm that are free, and dots to the right, down, across and high.
+# Of a low sheet at 1:2, below its title: mm that are free, and dots to the right, down, across and
+# high.
 FREE, BELOW_TITLE = np.array([430.0, 84.0]), ("50", "196", "1028", "232")
 DOTS = 110
 RULES = [("strakes", 2.4), ("from_centre", 1.2), ("butts", 12.0)]
