@@ -90,7 +90,10 @@ def main():
     processor = sum(row[2] for row in stages.rows)
     missed = "  MISSED" if processor > MOST_S else ""
     what = f"{count} plates of the {NAME} in all"
-    print(f"{what:<50} {clock:9.2f} s {processor:9.2f} s   (at most {MOST_S:g} s){missed}")
+    print(
+        f"{what:<50} {clock:9.2f} s {processor:9.2f} s of the processor   "
+        f"(at most {MOST_S:g} s){missed}"
+    )
 
 
 if __name__ == "__main__":

@@ -223,13 +223,13 @@ def test_a_path_that_is_a_folder(tmp_path):
 
 
 @contextmanager
-def full_disk():
-    """No file can grow beyond 2000 bytes, which fails as it does on a full disk. Nor can a log that
-    the tests are written to, so that this must be over before they are."""
+def full_disk(most=2000):
+    """No file can grow beyond so many bytes, which fails as it does on a full disk. Nor can a log
+    that the tests are written to, so that this must be over before they are."""
     sys.stdout.flush()
     limits = resource.getrlimit(resource.RLIMIT_FSIZE)
     handler = signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
-    resource.setrlimit(resource.RLIMIT_FSIZE, (2000, limits[1]))
+    resource.setrlimit(resource.RLIMIT_FSIZE, (most, limits[1]))
     try:
         yield
     finally:

@@ -2,6 +2,7 @@
 """The lines plan and the table of offsets, as Object.hull.lines and plan ask for them."""
 
 import csv
+from itertools import combinations
 
 import bpy
 import pytest
@@ -47,6 +48,38 @@ def test_options_reach_the_drawing(tmp_path):
     assert "Table of offsets, moulded, mm" in words
     plan.offsets = False
     assert "Table of offsets, moulded, mm" not in export(tmp_path / "box.dxf").read_text()
+
+
+VIEW_NAMES = {
+    "profile": "Profile",
+    "half_breadth": "Half-breadth plan, diagonals expanded",
+    "body_plan": "Body plan",
+}
+LAYERS_OF_VIEWS = {"profile": "BUTTOCKS", "half_breadth": "WATERLINES", "body_plan": "STATIONS"}
+
+
+@pytest.mark.parametrize("views", [v for n in (1, 2) for v in combinations(VIEW_NAMES, n)])
+def test_the_panel_s_switches_choose_views(tmp_path, views):
+    """Names and lines of those views alone."""
+    hull = plan_hull()
+    hull.hull.lines.diagonals = "2.5/30"
+    for view in VIEW_NAMES:
+        setattr(hull.hull.plan, view, view in views)
+    words = export(tmp_path / "box.dxf").read_text().splitlines()
+    # Each entity has its layer after a group code of 8.
+    layers = {value for code, value in zip(words[::2], words[1::2]) if code.strip() == "8"}
+    for view, name in VIEW_NAMES.items():
+        assert (name in words) == (view in views)
+        assert (LAYERS_OF_VIEWS[view] in layers) == (view in views)
+
+
+def test_a_plan_of_no_view_is_refused(tmp_path):
+    hull = plan_hull()
+    for view in VIEW_NAMES:
+        setattr(hull.hull.plan, view, False)
+    with pytest.raises(RuntimeError, match="view at least"):
+        export(tmp_path / "box.pdf")
+    assert not list(tmp_path.iterdir())
 
 
 def test_feet_where_the_scene_has_them(tmp_path):

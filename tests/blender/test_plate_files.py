@@ -182,6 +182,17 @@ def test_rules_that_make_no_seam_are_one_sentence(kind, value, told):
 
 
 @pytest.mark.parametrize("ending", ["pdf", "dxf", "csv"])
+def test_plates_over_knuckles_are_not_written(ending, tmp_path):
+    """Without seams along the planing boat's knuckles: where, in one sentence, and no file."""
+    hull = sample("planing_boat")
+    hull.hull.plates.along_knuckles = False
+    path = tmp_path / f"plates.{ending}"
+    with pytest.raises(RuntimeError, match="A plate goes over a knuckle of .*put a seam along"):
+        bpy.ops.hull.export_plates(filepath=str(path), plate_length=5.0, strake=1.0)
+    assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.parametrize("ending", ["pdf", "dxf", "csv"])
 def test_a_full_disk_leaves_nothing(ending, tmp_path):
     """No more than 1,000 bytes can be written: that is told, and the file is as it was."""
     add_hull()

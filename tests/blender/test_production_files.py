@@ -6,7 +6,8 @@ import re
 import bpy
 import numpy as np
 import pytest
-from addon_under_test import add_hull, make_active, part, sample, state_of
+from addon_under_test import add_hull, hull_io, make_active, part, sample, state_of
+from edited_hulls import edit, select
 
 
 def read_stl(path):
@@ -150,6 +151,27 @@ def test_named_parts(tmp_path):
     solids = [row.split()[1] for row in rows if row.startswith("solid")]
     assert solids and "hull" in solids and len(set(solids)) == len(solids)
     assert [row.split()[1] for row in rows if row.startswith("endsolid")] == solids
+
+
+def test_a_layer_is_a_part_of_its_own_name(tmp_path):
+    """A keel by the layer of its faces: its area, both sides, closed together with the rest."""
+    hull = add_hull()
+    edit(hull, (False, False, True))
+    select(hull, "face", [1])
+    assert bpy.ops.hull.new_layer(name="Bar keel") == {"FINISHED"}
+    bpy.ops.object.mode_set(mode="OBJECT")
+    bpy.context.view_layer.update()
+    path = tmp_path / "box.stl"
+    assert bpy.ops.hull.export_parts(filepath=str(path)) == {"FINISHED"}
+    parts = hull_io("part_files").read_stl_parts(path)
+    assert {"Bar_keel", "Shell", "deck"} == set(parts)
+    a, b, c = parts["Bar_keel"].transpose(1, 0, 2)
+    # The box's bottom of 10 x 4 m.
+    assert np.cross(b - a, c - a).sum(axis=0) / 2.0 == pytest.approx([0, 0, -40.0], abs=1e-6)
+    corners = np.vstack(list(parts.values())).reshape(-1, 3)
+    points, triangles = np.unique(corners, axis=0, return_inverse=True)
+    closed_model = part("bridge.native").require().ClosedModel(points, triangles.reshape(-1, 3))
+    assert closed_model.open_sides == 0 and closed_model.volume == pytest.approx(120.0, rel=1e-9)
 
 
 def test_figures_of_the_model_and_of_the_panels():

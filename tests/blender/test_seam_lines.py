@@ -16,8 +16,8 @@ def shown(hull):
     return part("features.production.seam_lines").shown(hull)
 
 
-def laid_out():
-    hull = plated()
+def laid_out(*name, **sizes):
+    hull = plated(*name, **sizes)
     assert bpy.ops.hull.lay_out_plates() == {"FINISHED"}
     return hull
 
@@ -68,6 +68,29 @@ def test_seams_stay_on_the_hull_while_it_moves():
     np.testing.assert_allclose(distances(hull, points), 0.0, atol=1e-8)
     for vertex in hull.data.vertices:
         vertex.co.z /= 1.1
+
+
+def test_seams_follow_a_curved_hull():
+    """Bent, so that nothing of it is the old one scaled: on the new surface and off the old one, at
+    the same parameters."""
+    hull = laid_out("planing_boat", strake=2.0, butts=20.0)
+    before, tree = shown(hull), part("bridge.native").require().SurfaceTree(surface_of(hull))
+    was = np.concatenate(before.polylines)
+    places = tree.closest_points(was)
+    length = max(vertex.co.x for vertex in hull.data.vertices)
+    for vertex in hull.data.vertices:
+        along = vertex.co.x / length
+        vertex.co.y *= 1.0 + 0.2 * along**2
+        vertex.co.z += 0.1 * along**2
+    hull.data.update()
+    bpy.context.view_layer.update()
+    after = shown(hull)
+    assert not after.is_current and len(after.polylines) == len(before.polylines) > 2
+    points, surface = np.concatenate(after.polylines), surface_of(hull)
+    assert distances(hull, points).max() < 1e-9 * surface.mesh.size
+    assert distances(hull, was).max() > 0.02
+    there = surface.positions(places.cells, places.uv)
+    np.testing.assert_allclose(points, there, atol=1e-6 * surface.mesh.size)
 
 
 def test_seams_of_other_faces_are_not_shown():

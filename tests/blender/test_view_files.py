@@ -2,8 +2,9 @@
 """Views, curvature and lines in space, written in Blender."""
 
 import bpy
+import numpy as np
 import pytest
-from addon_under_test import add_hull, part
+from addon_under_test import add_hull, by_path, part, sample
 
 
 @pytest.mark.parametrize("ending", ["pdf", "svg", "dxf"])
@@ -27,6 +28,40 @@ def test_curvature_is_written(tmp_path):
     with pytest.raises(RuntimeError, match="Keep the hull as a variant first"):
         bpy.ops.hull.export_curvature(filepath=str(path), position=42.0, with_other=True)
     assert not list(tmp_path.iterdir())
+
+
+def test_curvature_beside_the_compared_hull(tmp_path, monkeypatch):
+    """The variant is drawn, dashed, with its own curvature: the station is twice as large since,
+    its bends are half as sharp."""
+    hull = sample()
+    assert bpy.ops.hull.keep_variant(name="As it was") == {"FINISHED"}
+    for vertex in hull.data.vertices:
+        vertex.co.yz = 2.0 * vertex.co.yz
+    hull.data.update()
+    bpy.context.view_layer.update()
+    hull_native, drawn = part("bridge.native").require(), []
+    write = hull_native.write_plot
+
+    def kept(plot, path):
+        drawn.append(plot)
+        write(plot, path)
+
+    monkeypatch.setattr(hull_native, "write_plot", kept)
+    path = tmp_path / "curvature.svg"
+    values = {"axis": "x", "position": 42.0, "with_other": True}
+    assert bpy.ops.hull.export_curvature(filepath=str(path), **values) == {"FINISHED"}
+    assert path.stat().st_size > 1000
+    (plot,) = drawn
+    assert plot.curve_names == [hull.name, "As it was"]
+    sheet = hull_native.lay_out_plot(plot, width_mm=297.0, height_mm=210.0)
+    curves = by_path("read_plots").read_curves(sheet)
+    now, before = (
+        np.vstack([line for dashes, line in curves if bool(dashes) == is_dashed])
+        for is_dashed in (False, True)
+    )
+    # Curvatures are at points of each station, the sharpest between two of them.
+    assert np.ptp(now[:, 0]) == pytest.approx(2.0 * np.ptp(before[:, 0]), rel=1e-3)
+    assert now[:, 1].max() == pytest.approx(0.5 * before[:, 1].max(), rel=1e-2)
 
 
 def test_lines_in_space_are_written(tmp_path):

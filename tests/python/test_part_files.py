@@ -23,9 +23,23 @@ def area_of(corners):
     return 0.5 * np.linalg.norm(np.cross(b - a, c - a), axis=1).sum()
 
 
+def triangles_of(corners):
+    """(points, triangles) of corners (m, 3, 3)."""
+    return corners.reshape(-1, 3), np.arange(3 * len(corners)).reshape(-1, 3)
+
+
+def assert_closed(corners):
+    """By the corners alone, and no triangle is less than three of them."""
+    points, triangles = triangles_of(corners)
+    odd, place = odd_sides(points, triangles)
+    assert not len(odd)
+    assert all(len(set(one)) == 3 for one in place[triangles].tolist())
+
+
 @pytest.mark.parametrize("name", SAMPLES)
 def test_parts_are_the_closed_hull(name, tmp_path):
-    """All solids together are closed, between the same corners."""
+    """All solids together are closed, by the corners that were read: every side is run through once
+    in each direction."""
     sample, body = body_of(name)
     model = hn.closed_model(body, 8e-4 * sample.ship.length_pp)
     assert len(model.cells) == len(model.triangles)
@@ -36,9 +50,35 @@ def test_parts_are_the_closed_hull(name, tmp_path):
     found = hull_io.read_stl_parts(path)
     assert set(found) == {n for n, t in parts.items() if area_of(model.points[t]) > 0.0}
     corners = np.vstack(list(found.values()))
+    assert_closed(corners)
     assert area_of(corners) == pytest.approx(model.area, rel=1e-7)
     a, b, c = corners.transpose(1, 0, 2)
     assert np.einsum("ij,ij->", np.cross(a, b), c) / 6.0 == pytest.approx(model.volume, rel=1e-6)
+
+
+def test_a_keel_is_a_part_of_its_own(tmp_path):
+    """Cells with its name, of both sides, closed together with the rest; a keel that is joined to
+    the body is in no part."""
+    sample, body = body_of("sailing_yacht")
+    areas = hn.surface_areas(body.surface)
+    cells = np.flatnonzero(body.surface.evaluate_grid(1)[0][..., 2].max(axis=(1, 2)) < 1.0)
+    assert 0 < len(cells) < body.surface.cell_count / 2
+    tolerance = 1e-4 * sample.ship.length_pp
+    files = []
+    for joined in ([], [hn.foil("63-012", (7.0, 0, 1.2), (6.7, 0, -0.6), 2.0, tip_chord=1.5)]):
+        body.join(joined)
+        model = hn.closed_model(body, tolerance)
+        path = tmp_path / f"{len(joined)}.stl"
+        hull_io.write_stl_parts(path, model.points, hn.surface_parts(model, {"keel": cells}))
+        files.append(path.read_bytes())
+    assert files[0] == files[1]
+    found = hull_io.read_stl_parts(path)
+    assert {"hull", "keel", "deck"} <= set(found)
+    assert area_of(found["keel"]) == pytest.approx(2.0 * areas.areas[cells].sum(), rel=1e-3)
+    assert found["keel"][..., 1].min() == -found["keel"][..., 1].max() < 0.0
+    assert_closed(np.vstack(list(found.values())))
+    # By itself it is open, where the hull goes on.
+    assert len(odd_sides(*triangles_of(found["keel"]))[0])
 
 
 def test_parts_of_the_coaster():

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Views without hidden lines, curvature along sections, lines plans of some views."""
+"""Views without hidden lines, curvature along sections."""
 
 import math
 
@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from dxf_audit import assert_audited
 from production_hulls import body_of, hemisphere
+from read_plots import read_curves
 
 
 def test_axes_of_views():
@@ -151,12 +152,47 @@ def test_curvature_is_that_of_the_turning_tangent():
         assert abs(turned) == pytest.approx(abs(angles[-1] - angles[0]), abs=0.02)
 
 
+def girth_and_curvature(surface, position):
+    """Of a station, from the surface's sections alone: one stretch after another."""
+    rows, run = [], 0.0
+    for curve in hn.section(surface, "x", position):
+        for stretch in curve.stretches:
+            steps = np.linalg.norm(np.diff(stretch.points, axis=0), axis=1)
+            along = np.append(0.0, np.cumsum(steps))
+            rows.append(np.stack([run + along, stretch.curvatures], axis=1))
+            run += along[-1]
+    return rows
+
+
 def test_curvature_plot(tmp_path):
+    """As it is read from the page by its axes: the station's own curve, the one of a ball of 5 m
+    dashed at 1/5, and the circle's line at 1/R."""
     _, body = body_of("coaster")
     plot = hn.curvature_plot(
-        body.surface, "x", 42.0, radius=2.0, others=[("Again", body.surface)], name="Coaster"
+        body.surface, "x", 0.0, radius=2.0, others=[("Ball", hemisphere(5.0))], name="Coaster"
     )
-    assert plot.curve_names == ["Coaster", "Again"]
+    assert plot.curve_names == ["Coaster", "Ball"]
+    sheet = hn.lay_out_plot(plot, width_mm=297.0, height_mm=210.0)
+    assert {"Coaster", "Ball", "Circle R 2 m"} <= {label["text"] for label in sheet.labels}
+    *curves, (_, line) = read_curves(sheet)
+    own, other = (
+        np.vstack([curve for dashes, curve in curves if bool(dashes) == dashed])
+        for dashed in (False, True)
+    )
+    # What is drawn is within a hundredth of a millimetre: less than 1e-4 of either axis.
+    x_off, y_off = 1e-4 * line[:, 0].max(), 1e-4 * own[:, 1].max()
+    assert line[:, 1] == pytest.approx([0.5, 0.5], abs=y_off)
+    assert np.ptp(line[:, 0]) > 0.99 * other[:, 0].max()
+    # From the level cut at 2.5 m down and up again; at its ends, and at the pole, the ball is none.
+    girth = 2.0 * 5.0 * (math.pi / 2 + math.asin(0.5))
+    assert np.ptp(other[:, 0]) == pytest.approx(girth, rel=2e-3)
+    inside = np.abs(other[:, 0] - 0.5 * girth) < 0.4 * girth
+    inside &= np.abs(other[:, 0] - 0.5 * girth) > 0.1 * girth
+    assert np.abs(other[inside, 1] - 0.2).max() < 2e-3 + y_off and inside.sum() > 50
+    wanted = [row for row in girth_and_curvature(body.surface, 0.0) if len(row) > 1]
+    assert np.ptp(own[:, 0]) == pytest.approx(sum(np.ptp(row[:, 0]) for row in wanted), abs=x_off)
+    values = np.sort(np.concatenate([row[:, 1] for row in wanted]))
+    assert np.sort(own[:, 1]) == pytest.approx(values, abs=y_off)
     hn.write_plot(plot, tmp_path / "curvature.pdf")
     for call, words in (
         (lambda: hn.curvature_plot(body.surface, "x", 500.0), "no section"),
@@ -165,35 +201,6 @@ def test_curvature_plot(tmp_path):
     ):
         with pytest.raises(ValueError, match=words):
             call()
-
-
-# --- views of the lines plan ----------------------------------------------------------------------
-
-
-def test_lines_plan_of_one_view(tmp_path):
-    _, body = body_of("coaster")
-    options = {"mirrored": True, "stations": 4.2, "waterlines": 1.0, "offsets": False}
-    texts = {}
-    for views in (("body_plan",), ("profile",), ("profile", "half_breadth", "body_plan")):
-        path = tmp_path / f"{len(views)}{views[0]}.svg"
-        hn.write_lines_drawing(body.surface, path, views=views, **options)
-        texts[views] = path.stat().st_size
-    whole = texts[("profile", "half_breadth", "body_plan")]
-    assert all(size < whole for views, size in texts.items() if len(views) == 1)
-    for views, words in (((), "view at least"), (("plan",), "A view is")):
-        with pytest.raises(ValueError, match=words):
-            hn.write_lines_drawing(body.surface, tmp_path / "x.svg", views=views, **options)
-
-
-def test_one_view_has_a_larger_scale(tmp_path):
-    """The body plan alone fits where three views do not."""
-    _, body = body_of("coaster")
-    options = {"mirrored": True, "stations": 4.2, "offsets": False, "paper": "A3", "scale": 75}
-    path = tmp_path / "plan.pdf"
-    with pytest.raises(ValueError, match="does not fit"):
-        hn.write_lines_drawing(body.surface, path, **options)
-    hn.write_lines_drawing(body.surface, path, views=("body_plan",), **options)
-    assert path.stat().st_size > 5000
 
 
 def test_a_tolerance_of_zero_is_none():

@@ -95,6 +95,50 @@ def test_second_order(name, trim_deg, heel_deg):
     assert errors[1] < 6e-5
 
 
+@pytest.mark.one_in(3)
+@pytest.mark.parametrize("trim_deg, heel_deg", POSITIONS)
+@pytest.mark.parametrize("name", SAMPLES)
+def test_second_order_of_graded_panels(name, trim_deg, heel_deg):
+    """With half the size at the water and the ends, as is usual: orders of 1.85 to 2.19."""
+    errors, counts = [], []
+    for parts in (240, 480):
+        _, _, mesh = panels_at(name, trim_deg, heel_deg, parts)
+        errors.append(abs(mesh.volumes.mean() / mesh.displaced_volume - 1.0))
+        counts.append(len(mesh.panels))
+    order = 2.0 * math.log(errors[0] / errors[1]) / math.log(counts[1] / counts[0])
+    assert 1.8 < order < 2.25
+    assert errors[1] < 1e-4
+
+
+@pytest.mark.one_in(2)
+@pytest.mark.parametrize("name", SAMPLES)
+def test_sizes_are_graded_to_the_water_and_to_the_ends(name):
+    """No side is longer than what is asked for at the panel's place, afloat and, where ends alone
+    count, as deep as the ship is long; there panels at the ends have about half the size of those
+    amidships, and about all of it with a grading of 1."""
+    sample, body = body_of(name)
+    size = sample.ship.length_pp / 40
+    longest = {}
+    for draft, grading in (
+        (sample.ship.draft, 0.5),
+        (sample.ship.length_pp, 0.5),
+        (sample.ship.length_pp, 1.0),
+    ):
+        mesh = hn.wetted_panels(body, size, draft=draft, grading=grading)
+        corners, x = mesh.points[mesh.panels], mesh.points[:, 0]
+        middle = corners[..., 0].mean(axis=1)
+        from_ends = np.minimum(middle - x.min(), x.max() - middle)
+        sides = np.linalg.norm(corners - np.roll(corners, 1, axis=1), axis=2).max(axis=1)
+        distance = np.minimum(from_ends, -corners[..., 2].mean(axis=1))
+        asked = np.minimum(size, grading * size + 0.3 * distance)
+        # Between the sides of cells lines may spread a little; at the water points move.
+        assert (sides < (1.6 if draft < sample.ship.length_pp else 1.02) * asked).all()
+        at_ends, amidships = from_ends < 0.5 * size, from_ends > 0.3 * np.ptp(x)
+        longest[grading] = [np.percentile(sides[one], 90) / size for one in (at_ends, amidships)]
+    assert 0.3 < longest[0.5][0] < 0.55 and longest[0.5][1] > 0.7
+    assert 0.7 < longest[1.0][0] and longest[1.0][1] > 0.7
+
+
 def test_heel_to_both_sides_mirrors():
     _, _, one = panels_at("coaster", 0.0, 9.0, 30)
     _, _, other = panels_at("coaster", 0.0, -9.0, 30)
@@ -234,12 +278,3 @@ def test_files_refuse(ball, tmp_path):
     with pytest.raises(hull_io.HullFileError, match="can't be written"):
         hull_io.write_gdf(tmp_path / "none" / "a.gdf", mesh.points, mesh.panels, half=True)
     assert not list(tmp_path.iterdir())
-
-
-@pytest.mark.parametrize("name", SAMPLES)
-@pytest.mark.parametrize("heel_deg", [0.0, 11.0])
-def test_wamit_takes_all_panels(name, heel_deg, tmp_path):
-    """Heeled, the barge's deck is in the water: closing lines run along the transom's edge."""
-    _, _, mesh = panels_at(name, 0.5, heel_deg, 20)
-    hull_io.write_gdf(tmp_path / "hull.gdf", mesh.points, mesh.panels, half=mesh.half)
-    assert (tmp_path / "hull.gdf").stat().st_size > 1000

@@ -42,6 +42,13 @@ class Eye:
         # The third coordinate grows towards the eye.
         return np.column_stack([local[:, :2] * share[:, None], self._distance * (share - 1.0)])
 
+    def facing(self, points, normals):
+        """How much normals at places look to the eye, above 0 where they do."""
+        if self._distance is None:
+            return np.asarray(normals) @ self._axes[2]
+        eye = self._middle + self._distance * self._axes[2]
+        return np.einsum("ij,ij->i", normals, eye - points)
+
     def flat(self, seen):
         """On the drawing."""
         return np.asarray(seen)[:, :2]
@@ -49,18 +56,28 @@ class Eye:
 
 class Sight:
     """What of lines is seen, from +z, past a model that tells what it `covers`; size: of the
-    drawing; in_front: by how much of depth lines are moved towards the eye before."""
+    drawing.
 
-    def __init__(self, model, size, in_front):
+    Lines are places (n, 3), which are moved by in_front of depth towards the eye before it is asked
+    what is in front of them; or (n, 3 + 4 k): behind each place k that are asked in its stead, and
+    of each how much it faces the eye. A place is seen where one of them does and is not covered."""
+
+    def __init__(self, model, size, in_front=0.0):
         self._model, self._step, self._end = model, _STEP * size, _END * size
         self._off = np.array([0.0, 0.0, in_front])
 
     def _sees(self, places):
-        return ~self._model.covers(places + self._off)
+        if places.shape[1] == 3:
+            return ~self._model.covers(places + self._off)
+        sees = np.zeros(len(places), dtype=bool)
+        for asked in np.split(places[:, 3:], (places.shape[1] - 3) // 4, axis=1):
+            is_open = ~sees & (asked[:, 3] > 0.0)
+            sees[is_open] = ~self._model.covers(asked[is_open, :3])
+        return sees
 
     def pieces(self, lines):
-        """For each of polylines (n, 3) its pieces from end to end, (whether it is seen, polyline
-        (k, 3)). All are looked at together: what hides them is sorted once for a look."""
+        """For each of polylines its pieces from end to end, (whether it is seen, polyline of the
+        same columns). All are looked at together: what hides them is sorted once for a look."""
         dense = [_dense(line, self._step) for line in lines]
         counts = [max(0, len(line) - 1) for line in dense]
         middles = [0.5 * (line[1:] + line[:-1]) for line in dense]
@@ -71,7 +88,7 @@ class Sight:
             yield list(_parts(line, look, turn, end)) if len(look) else []
 
     def _turns(self, dense, middles, looks, turns):
-        """Where seen turns to hidden or back (k, 3), of all lines one after the other."""
+        """Where seen turns to hidden or back, of all lines one after the other."""
         before = np.vstack([m[t - 1] for m, t in zip(middles, turns)])
         corner = np.vstack([line[t] for line, t in zip(dense, turns)])
         after = np.vstack([m[t] for m, t in zip(middles, turns)])

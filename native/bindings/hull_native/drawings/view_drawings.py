@@ -3,16 +3,18 @@
 
 import numpy as np
 
-from .._core import feature_curves, section
+from .._core import SurfaceTree, crease_curves, section, tolerances
 from .._drawing import ShopDrawing
 from .._production import ClosedModel, closed_model
 from .hidden_lines import Eye, Sight
 
-# Of the model's size: how far the model's triangles may be from the surface, and by how many times
-# that a line is moved towards the eye before it is asked what is in front of it.
-_TOLERANCE, _IN_FRONT = 1e-4, 20.0
+# Of the model's size: how far the model's triangles may be from the surface, and the chords of
+# lines on it; by how many times that these are outside of it before it is asked what hides them.
+_TOLERANCE, _OUTSIDE = 1e-4, 3.0
 # Points of knuckles and borders between control points.
 _SAMPLES = 64
+# Of a chord: how far from a knuckle a line's normal there is taken.
+_BESIDE = 1e-3
 _LAYERS = {"stations": "FRAMES", "waterlines": "WATERLINES", "buttocks": "BUTTOCKS"}
 _AXES = {"stations": "x", "waterlines": "z", "buttocks": "y"}
 
@@ -39,11 +41,10 @@ def view_drawing(
     axes: view_axes(), or any rows to the right, up and towards the eye. distance: of the eye from
     the hull's middle, m; None: in parallel rays, at true size. tolerance, m: how far the triangles
     that hide lines may be from the surface (1e-4 of its size by default). Where a line passes
-    behind an outline its end is off by as much as the outline, which is within tolerance of the
-    surface's, and by 1e-5 of the drawing's size; where a surface turns away from the eye lines may
-    end earlier than it does by that of a turn by 1/20: R / 800 of a bend of radius R. Pieces
-    shorter than 1/800 of the size may be missed. progress: called with the share done. ValueError
-    for axes that are none, an eye in the hull, and as closed_model(), a tolerance of 0 for one.
+    behind an outline its end is off by three tolerances at most, and by 1e-5 of the drawing's
+    size. Pieces shorter than 1/800 of the size may be missed. progress: called with the share
+    done. ValueError for axes that are none, an eye in the hull, and as closed_model(), a tolerance
+    of 0 for one.
     """
     axes = np.asarray(axes, dtype=float)
     if axes.shape != (3, 3) or np.abs(axes @ axes.T - np.eye(3)).max() > 1e-6:
@@ -54,14 +55,14 @@ def view_drawing(
     model = closed_model(body, tolerance, progress=lambda share: tell(0.3 * share))
     eye = Eye(axes, model.points, distance)
     seen = ClosedModel(eye.seen(model.points), model.triangles)
-    scale = 1.0 if distance is None else eye.depth_scale
-    sight = Sight(seen, np.ptp(seen.points[:, :2], axis=0).max(), _IN_FRONT * tolerance * scale)
+    sight = Sight(seen, np.ptp(seen.points[:, :2], axis=0).max())
+    off = _OUTSIDE * tolerance
     drawing = ShopDrawing(title or "View")
-    lines = [("OUTLINE", line) for line in _outlines(seen)]
+    lines = [("OUTLINE", _asked(eye, *line, off)) for line in _outlines(model, seen)]
     tell(0.4)
     given = {"stations": stations, "waterlines": waterlines, "buttocks": buttocks}
     lines += [
-        (layer, eye.seen(line))
+        (layer, _asked(eye, *line, off))
         for layer, line in (
             *_sections(body, given, tolerance),
             *(_features(body) if knuckles else ()),
@@ -77,9 +78,21 @@ def view_drawing(
     return drawing
 
 
-def _outlines(model):
-    """Polylines of the sides where a triangle that looks to +z meets one that does not."""
-    a, b, c = model.points[model.triangles].transpose(1, 0, 2)
+def _asked(eye, points, normals, is_closed, off):
+    """A line for Sight.pieces(): of points with the normals of both of its sides (n, 3) each, from
+    `off` outside of them. What looks away from the eye is not seen, but where the closing beside it
+    may be."""
+    columns = [eye.seen(points)]
+    for own in normals:
+        facing = np.ones(len(points)) if is_closed else eye.facing(points, own)
+        columns += [eye.seen(points + off * own), facing[:, None]]
+    return np.hstack(columns)
+
+
+def _outlines(model, seen):
+    """(points, normals of both sides, True) of the sides where a triangle that looks to the eye, +z
+    of the model as it is seen, meets one that does not; their normals are the mean of these two."""
+    a, b, c = seen.points[seen.triangles].transpose(1, 0, 2)
     front = np.cross(b - a, c - a)[:, 2] > 0.0
     sides = np.concatenate([model.triangles[:, [k, (k + 1) % 3]] for k in range(3)])
     owners = np.tile(np.arange(len(model.triangles)), 3)
@@ -88,7 +101,20 @@ def _outlines(model):
     chosen = front[owners[first]] != front[owners[second]]
     # Along the triangle that is seen.
     kept = np.where(front[owners[first]], first, second)[chosen]
-    return [model.points[chain] for chain in _chains(sides[kept].tolist())]
+    a, b, c = model.points[model.triangles].transpose(1, 0, 2)
+    units = _unit(np.cross(b - a, c - a))
+    normals = np.zeros_like(model.points)
+    for beside in (first[chosen], second[chosen]):
+        for k in range(2):
+            np.add.at(normals, sides[kept, k], units[owners[beside]])
+    normals = _unit(normals)
+    for chain in _chains(sides[kept].tolist()):
+        yield model.points[chain], (normals[chain],) * 2, True
+
+
+def _unit(vectors):
+    lengths = np.linalg.norm(vectors, axis=1, keepdims=True)
+    return vectors / np.where(lengths > 0.0, lengths, 1.0)
 
 
 def _chains(sides):
@@ -113,24 +139,50 @@ def _chains(sides):
     return chains
 
 
-def _both_sides(body, line):
-    yield line
-    if body.mirrored and np.abs(line[:, 1]).max() > 0.0:
-        yield line * (1.0, -1.0, 1.0)
+def _both_sides(body, points, normals, is_closed):
+    yield points, normals, is_closed
+    if body.mirrored and np.abs(points[:, 1]).max() > 0.0:
+        other = (1.0, -1.0, 1.0)
+        yield points * other, [own * other for own in normals], is_closed
 
 
 def _sections(body, given, tolerance):
+    """(layer, (points, normals of both sides, False)), from knuckle to knuckle."""
+    tree = SurfaceTree(body.surface)
     for kind, places in given.items():
         for place in places:
             signs = (1.0, -1.0) if kind == "buttocks" and not body.mirrored else (1.0,)
             for sign in signs:
                 curves = section(body.surface, _AXES[kind], sign * float(place), tolerance)
-                for curve in curves:
-                    for line in _both_sides(body, curve.points):
+                for stretch in (one for curve in curves for one in curve.stretches):
+                    normals = _normals_along(body.surface, tree, stretch.points)
+                    for line in _both_sides(body, stretch.points, (normals,) * 2, False):
                         yield _LAYERS[kind], line
 
 
+def _normals_along(surface, tree, points):
+    """(n, 3) of the surface, at the ends of a line from within it, as they may be on knuckles."""
+    places = points.copy()
+    places[0] += _BESIDE * (points[1] - points[0])
+    places[-1] += _BESIDE * (points[-2] - points[-1])
+    found = tree.closest_points(places)
+    return surface.normals(found.cells, found.uv)
+
+
 def _features(body):
-    for curve in feature_curves(body.surface, _SAMPLES):
-        for line in _both_sides(body, curve.points):
+    """The same of knuckles, which have another normal on each side, and of borders, which have one,
+    and that of the mirror image in the centre plane."""
+    surface = body.surface
+    on_centre = tolerances.ON_CENTRE_PLANE * surface.mesh.size
+    for curve in crease_curves(surface):
+        t = np.linspace(0.0, curve.edge_count, _SAMPLES * curve.edge_count + 1)
+        points, normals = curve.evaluate(t)[0], []
+        for cells, uv in (curve.left(t), curve.right(t)):
+            if (cells >= 0).all():
+                normals.append(surface.normals(cells, uv))
+        is_border = len(normals) == 1
+        is_central = is_border and body.mirrored and np.abs(points[:, 1]).max() < on_centre
+        if is_border:
+            normals.append(normals[0] * (1.0, -1.0, 1.0) if is_central else normals[0])
+        for line in _both_sides(body, points, normals, is_border and not is_central):
             yield "SHELL", line
