@@ -57,7 +57,8 @@ class OperatorDrawn(Drawn):
 
     def __init__(self, cls):
         super().__init__(cls)
-        self.bl_rna, self.layout = rna_of(cls), Reading()
+        self.bl_rna = self.rna_type = rna_of(cls)
+        self.layout = Reading()
 
     def __getattr__(self, name):
         found = self.bl_rna.properties.get(name)

@@ -50,19 +50,29 @@ class LegendArrays:
             yield (left, y - _HALF_LETTER), text
 
 
-def arrays_of(scale, title):
-    """LegendArrays of a hull_native.ColourScale."""
+def arrays_of(scale, title, sizes):
+    """LegendArrays of a hull_native.ColourScale, its numbers in units as units.Shown.plot_sizes()
+    has them."""
     low, high = _MARGIN, HEIGHT_MM - _MARGIN - _TITLE_ROOM
     edges = np.linspace(low, high, _STEPS + 1)
     shades = [(*colour, 1.0) for colour in scale.legend_colours(_STEPS + 1)]
     right = _MARGIN + _BAR_WIDTH
     places = [(_MARGIN, a, right, b) for a, b in zip(edges[:-1], edges[1:])]
+    texts, unit = _in_unit(scale, sizes)
     labels = tuple(
         (float(low + position * (high - low)), text)
-        for position, text in zip(scale.tick_positions, scale.tick_labels)
+        for position, text in zip(scale.tick_positions, texts)
     )
     bar = _rectangles(places, list(zip(shades[:-1], shades[1:])))
-    return LegendArrays(title, scale.unit, bar, labels)
+    return LegendArrays(title, unit, bar, labels)
+
+
+def _in_unit(scale, sizes):
+    """The numbers of a scale as texts, and their unit."""
+    if scale.unit not in sizes:
+        return scale.tick_labels, scale.unit
+    size, symbol = sizes[scale.unit]
+    return [f"{value / size:.3g}" for value in scale.tick_values], symbol
 
 
 def _rectangles(places, shades):

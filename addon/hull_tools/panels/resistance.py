@@ -4,12 +4,12 @@
 import bpy
 
 from ...hull_io import ship_data
-from ..bridge.blender.units import in_unit
+from ..bridge.blender.units import imperial, in_unit, is_imperial
 from ..bridge.objects import hull_objects
 from ..features.analyses import live_analyses
 from ..features.resistance import resistance_curves
 from ..features.variants import other_hull
-from ..properties.shared import field_or
+from ..properties.shared import field_or, metric_field
 from .shared import HullPanel, export_buttons, label_wrapped, latest_result, text_field
 
 _ROWS = 12  # of the table; the file has all
@@ -67,7 +67,7 @@ class HULL_PT_resistance(HullPanel, bpy.types.Panel):
     def _draw_ship(self, layout, own):
         text_field(layout, own, "stern")
         column = layout.column(align=True)
-        column.prop(own, "appendage_area")
+        metric_field(column, own, "appendage_area")
         column.prop(own, "appendage_factor")
         column = layout.column(align=True)
         column.prop(own, "propeller_diameter")
@@ -111,7 +111,11 @@ def draw_column(layout, heading, numbers):
         if number is None:
             column.label(text="–")
         else:
-            column.label(text=f"{number:.4g}" if number < 1e4 else f"{number:.0f}")
+            column.label(text=_figures(number))
+
+
+def _figures(number):
+    return f"{number:.4g}" if number < 1e4 else f"{number:.0f}"
 
 
 class HULL_PT_resistance_inputs(HullPanel, bpy.types.Panel):
@@ -127,7 +131,7 @@ class HULL_PT_resistance_inputs(HullPanel, bpy.types.Panel):
         if own.method == "HOLTROP":
             column = layout.column(align=True)
             column.prop(own, "thruster_diameter")
-            column.prop(own, "roughness_um")
+            metric_field(column, own, "roughness_um")
         rows = _inputs(own.method)
         if not rows:
             label_wrapped(layout, context, "Michell takes the exact surface itself", icon="INFO")
@@ -165,8 +169,19 @@ def _draw_input(column, context, own, place, input_name, value, unit):
     settings = getattr(own, group) if group else own
     field, right = _draw_columns(column, settings.bl_rna.properties[name].name, "", "")
     field.prop(settings, name, text="")
-    right.active = not (getattr(settings, name) or input_name in own.zeros)
+    given = getattr(settings, name)
+    right.active = not (given or input_name in own.zeros)
     right.label(text=_measured(context.scene, value, unit))
+    if unit != "m" and imperial(unit) and is_imperial(context.scene):
+        _draw_imperial(column.column(align=True), context, given, value, unit)
+
+
+def _draw_imperial(column, context, given, value, unit):
+    """Below a row in a metric unit what the numbers are in feet or their like."""
+    column.active = False
+    column.scale_y = 0.8
+    texts = (_figures(in_unit(context.scene, x, unit)[0]) if x else "" for x in (given, value))
+    _draw_columns(column, in_unit(context.scene, 0.0, unit)[1], *texts)
 
 
 def _measured(scene, value, unit):
