@@ -190,7 +190,7 @@ class HULL_OT_smooth_network_curve(bpy.types.Operator, NetworkOperator):
     needs = (*NetworkOperator.needs, in_object_mode)
 
     def draw(self, context):
-        metric_field(property_column(self), self, "deviation_mm")
+        metric_field(property_column(self), self, "deviation_mm", "mm")
 
     def invoke(self, context, event):
         self.deviation_mm = networks.at_hand(context).hull_network.deviation_mm
