@@ -27,7 +27,7 @@ _SYMBOLS = "|".join(sorted((*SIZES, *_WORDS), key=len, reverse=True))
 # At the end of a name, and where a description says what the number is in.
 _NAMED = re.compile(rf"(?:^|[ (])({_SYMBOLS})\)?$")
 _DESCRIBED = re.compile(rf"\b[Ii]n ({_SYMBOLS})(?![\w/²³])")
-_NUMBER = re.compile(r"-?\d+(?:\.\d+)?(?:e[-+]?\d+)?")
+NUMBER = re.compile(r"-?\d+(?:\.\d+)?(?:e[-+]?\d+)?")
 
 # As people type them, and in feet.
 _LISTS = {"HullLines.diagonals": ("1.524/35 3.048/50", "5/35 10/50"),
@@ -98,7 +98,7 @@ def is_said(symbol, value, texts):
     if isinstance(value, str):
         return any(_listed(value) in text and "ft" in text for text in texts)
     size, imperial = SIZES[symbol]
-    numbers = [float(number) for text in texts for number in _NUMBER.findall(text)]
+    numbers = [float(number) for text in texts for number in NUMBER.findall(text)]
     is_there = any(number == pytest.approx(value / size, rel=6e-4, abs=6e-4) for number in numbers)
     return is_there and any(re.search(rf"(?:^|[\s]){imperial}(?:$|[\s/])", text) for text in texts)
 
