@@ -5,7 +5,7 @@ from types import SimpleNamespace
 
 import bpy
 import pytest
-from addon_under_test import module_name, part
+from addon_under_test import compute, module_name, part
 from expect_morph import boxes, morph_of
 from layout_widths import SIDEBAR, Measuring
 from networks import grid_network
@@ -182,6 +182,7 @@ def test_all_fields_of_a_large_ship_in_feet():
         bpy.context.view_layer.update()
         for method in ("HOLTROP", "SAVITSKY", "DELFT"):
             own.resistance.method = method
+            compute([(own.id_data.name, "resistance_curves")])
             found = {}
             for system in ("METRIC", "IMPERIAL"):
                 units.system = system

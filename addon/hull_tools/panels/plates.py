@@ -3,6 +3,7 @@
 
 import bpy
 
+from ..bridge.blender.units import shown_in
 from ..bridge.objects import hull_objects
 from ..features.conversion import conversions
 from ..features.production import plate_files
@@ -62,8 +63,9 @@ class HULL_PT_plates(HullPanel, bpy.types.Panel):
         if not is_current:
             column.label(text="Of the hull as it was", icon="INFO")
         column.scale_y = 0.8
+        shown = shown_in(context.scene)
         for row in report.rows[:_MOST_LISTED]:
-            name, words, settled = plate_files.plate_words(row)
+            name, words, settled = plate_files.plate_words(row, shown)
             line = column.row()
             line.alert = not settled
             label_value(line, name, words)

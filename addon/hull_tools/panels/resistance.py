@@ -111,11 +111,7 @@ def draw_column(layout, heading, numbers):
         if number is None:
             column.label(text="–")
         else:
-            column.label(text=_figures(number))
-
-
-def _figures(number):
-    return f"{number:.4g}" if number < 1e4 else f"{number:.0f}"
+            column.label(text=f"{number:.4g}" if number < 1e4 else f"{number:.0f}")
 
 
 class HULL_PT_resistance_inputs(HullPanel, bpy.types.Panel):
@@ -180,8 +176,14 @@ def _draw_imperial(column, context, given, value, unit):
     """Below a row in a metric unit what the numbers are in feet or their like."""
     column.active = False
     column.scale_y = 0.8
-    texts = (_figures(in_unit(context.scene, x, unit)[0]) if x else "" for x in (given, value))
-    _draw_columns(column, in_unit(context.scene, 0.0, unit)[1], *texts)
+
+    def text(metric):
+        if not metric:
+            return ""
+        number, _ = in_unit(context.scene, metric, unit)
+        return f"{number:.3f}" if abs(number) < 100.0 else f"{number:.0f}"
+
+    _draw_columns(column, in_unit(context.scene, 0.0, unit)[1], text(given), text(value))
 
 
 def _measured(scene, value, unit):

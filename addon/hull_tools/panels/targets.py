@@ -25,12 +25,13 @@ class HULL_UL_rows(bpy.types.UIList):
         split = row.split(factor=0.7)
         split.active = item.use
         size = _size(context.scene, quantity.unit)
-        wanted = _number(item.value / size, 2 if quantity.unit == "%" else 3)
+        # Feet have a digit more before the point.
+        decimals = {"%": 2, "": 4}.get(quantity.unit, 3 if size == 1.0 else 2)
+        wanted = _number(item.value / size, min(decimals, 3))
         split.label(text=f"{quantity.label} {_SIGNS[item.sense]} {wanted}")
         now = rows.present(item, data.id_data, context.scene)
         right = split.row()
         right.alignment = "RIGHT"
-        decimals = {"%": 2, "": 4}.get(quantity.unit, 3)
         right.label(text="–" if now is None else _number(now / size, decimals))
 
 

@@ -68,9 +68,11 @@ def field_or(layout, settings, name, meaning, unit=None, **shown):
 def metric_field(layout, settings, name, unit=None, **shown):
     """A number, and where it is metric and the scene is imperial, below it what that is in feet or
     their like. unit: of tables; None: what its name ends in. shown: as of UILayout.prop()."""
-    layout.prop(settings, name, **shown)
     label = shown.get("text", settings.rna_type.properties[name].name)
-    show_imperial(layout, settings, [name], unit or units.unit_of_label(label))
+    unit = unit or units.unit_of_label(label)
+    column = layout.column(align=True) if _is_turned(unit) else layout
+    column.prop(settings, name, **shown)
+    show_imperial(column, settings, [name], unit)
 
 
 def metric_fields(layout, settings, names, unit=None):
@@ -82,11 +84,15 @@ def metric_fields(layout, settings, names, unit=None):
 
 
 def show_imperial(layout, settings, names, unit):
-    """What numbers in a unit of tables are in the imperial one, where the scene's units are
-    those."""
-    if unit and units.is_imperial(bpy.context.scene):
-        values = [getattr(settings, name) for name in names]
+    """What numbers in a unit of tables are in the imperial one, where the scene's units are those
+    and not all are 0."""
+    values = [getattr(settings, name) for name in names]
+    if _is_turned(unit) and any(values):
         _label_below(layout, f"= {units.imperial_texts(values, unit)}")
+
+
+def _is_turned(unit):
+    return unit is not None and units.is_imperial(bpy.context.scene)
 
 
 def _label_below(layout, text):
