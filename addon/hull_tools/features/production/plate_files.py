@@ -277,5 +277,7 @@ def plate_words(row, shown):
     # No longer than the sidebar is broad.
     area_digits, mass_digits = int(area < 99.95), 2 - int(mass >= 9.995 or shown.is_imperial)
     plate = f"{area:.{area_digits}f} {area_symbol} {mass:.{mass_digits}f} {mass_symbol}"
-    words = f"{plate} {1000.0 * ratio:.1f} ‰"
+    per_mille = 1000.0 * ratio
+    ratio_digits = 1 - int(per_mille >= 9.95 and shown.is_imperial)
+    words = f"{plate} {per_mille:.{ratio_digits}f} ‰"
     return row["plate"], words, "settled" not in row["form"]
