@@ -9,9 +9,9 @@ import re
 import bpy
 import networks
 import pytest
-from addon_under_test import module_name, part, sample
-from test_panels import Drawn, Notebook, context, texts
-from test_zero_meanings import registered, rna_of
+from addon_under_test import module_name, sample
+from test_panels import Notebook, context, texts
+from test_zero_meanings import panels, registered, rna_of
 
 FOOT = 0.3048
 # By a plain list, so that a slip in the add-on's shows.
@@ -149,17 +149,6 @@ def fill(settings):
                     fill(group)
 
 
-def panels(dialog_of=None):
-    """What each panel that is there draws."""
-    now = context(dialog_of)
-    for cls in part("panels")._CLASSES:
-        if issubclass(cls, bpy.types.Panel) and (not hasattr(cls, "poll") or cls.poll(now)):
-            drawn = Drawn(cls)
-            drawn.layout = Reading()
-            drawn.draw(now)
-            yield drawn.layout.noted
-
-
 def ship():
     """Of which there is one of everything that has fields."""
     hull = sample("coaster")
@@ -184,13 +173,13 @@ def drawings():
     bpy.context.view_layer.update()
     for method in ("HOLTROP", "SAVITSKY", "DELFT"):
         own.resistance.method = method
-        yield from panels()
+        yield from panels(Reading)
     own.model.in_segments = False
-    yield from panels()
-    yield from panels("HULL_OT_export_step")
+    yield from panels(Reading)
+    yield from panels(Reading, "HULL_OT_export_step")
     network = networks.grid_network()
     fill(network.hull_network)
-    yield from panels()
+    yield from panels(Reading)
 
 
 @pytest.fixture

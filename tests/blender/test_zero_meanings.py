@@ -139,13 +139,14 @@ def make_zero(settings, wanted):
                     make_zero(group, wanted)
 
 
-def panels():
-    """What each panel that is there draws."""
-    now = context()
+def panels(reading=Reading, dialog_of=None):
+    """What each panel that is there draws, as noted by a class of layouts; dialog_of: as
+    test_panels.context() takes it."""
+    now = context(dialog_of)
     for cls in part("panels")._CLASSES:
         if issubclass(cls, bpy.types.Panel) and (not hasattr(cls, "poll") or cls.poll(now)):
             drawn = Drawn(cls)
-            drawn.layout = Reading()
+            drawn.layout = reading()
             drawn.draw(now)
             yield drawn.layout.noted
 
