@@ -3,6 +3,7 @@
 legends of colours, lists of lengths."""
 
 import bpy
+import numpy as np
 import pytest
 from addon_under_test import part, sample
 from test_fields_in_feet import FOOT, NUMBER, SIZES, Reading, faults, is_said
@@ -77,11 +78,7 @@ def test_legends_and_limits_of_colours(colours, unit):
     assert metric.unit == unit and "Tooth for 1/m" in told["HULL_PT_combs"]
     bpy.context.scene.unit_settings.system = "IMPERIAL"
     feet, told_feet = legend.legend_of(hull), texts()
-    size, symbol = SIZES[unit]
-    assert feet.unit == symbol
-    assert [height for height, _ in feet.labels] == [height for height, _ in metric.labels]
-    for (_, number), (_, other) in zip(metric.labels, feet.labels):
-        assert float(other) == pytest.approx(float(number.replace("−", "-")) / size, rel=5e-3)
+    assert feet.unit == SIZES[unit][1]
     said = told_feet["HULL_PT_fairness"]
     assert is_said(unit, 0.25, said[said.index("property colour_limit") :])
     # A bend of 1/ft is that many 1/m, and a tooth of a metre that many feet.
@@ -99,3 +96,28 @@ def test_lists_that_are_not_understood_are_left_alone(imperial):
     assert not [text for text in said if text.startswith("= ")]
     hull.hull.lines.stations_in = "METRES"
     assert "= 9.8425 16.404 ft" in texts()["HULL_PT_sections"]
+
+
+@pytest.mark.parametrize("kind, unit", [("gaussian", "1/m²"), ("mean", "1/m"), ("distance", "mm")])
+@pytest.mark.parametrize("mapping", ["linear", "logarithmic"])
+def test_legends_have_round_numbers_in_feet(kind, unit, mapping):
+    """Each beside its colour, as the scale has that."""
+    arrays, shown = part("overlays.legend_arrays"), part("bridge.blender.units")
+    for high in (0.0123, 0.5, 7.0):
+        scale = part("bridge.native").hull_native.colour_scale(
+            np.array([high]), kind=kind, mapping=mapping, limits=(-high, high)
+        )
+        legend = arrays.arrays_of(scale, "", shown.IMPERIAL.plot_sizes())
+        metric = arrays.arrays_of(scale, "", shown.METRIC.plot_sizes())
+        assert legend.unit == SIZES[unit][1]
+        assert (metric.unit, [text for _, text in metric.labels]) == (unit, scale.tick_labels)
+        heights, texts_there = zip(*legend.labels)
+        numbers = np.array([float(text) for text in texts_there])
+        assert 5 <= len(numbers) <= 13 and "0" in texts_there
+        assert (np.diff(numbers) > 0.0).all() and (np.diff(heights) > 2.0).all()
+        assert all(float(f"{number:.2g}") == number for number in numbers)
+        size = SIZES[unit][0] * (1e-3 if unit == "mm" else 1.0)
+        low, room = metric.labels[0][0], metric.labels[-1][0] - metric.labels[0][0]
+        ends = scale.tick_positions[0], scale.tick_positions[-1]
+        along = ends[0] + (np.array(heights) - low) / room * (ends[1] - ends[0])
+        np.testing.assert_allclose(along, scale.normalised(numbers * size), atol=1e-12)
