@@ -68,7 +68,7 @@ def coloured(surface, tessellation, choice, values=None):
 
 
 def _limits(kind, limit):
-    """(low, high) of a scale by a limit in the legend's unit."""
+    """(low, high) of a scale by a limit in the unit that the legend has in metric scenes."""
     if kind == "slope":
         return 0.0, np.radians(min(limit, 180.0))
     if kind == "distance":
