@@ -13,7 +13,7 @@ def numbers(text, name):
     ValueError that begins with `name` where it can't be understood.
     """
     found = []
-    for word in text.replace(";", " ").replace(",", ".").split():
+    for word in _words(text):
         try:
             parts = [float(part) for part in word.split(":")]
         except ValueError:
@@ -24,6 +24,21 @@ def numbers(text, name):
             )
         found += parts if len(parts) == 1 else _range(*parts, word, name)
     return tuple(found)
+
+
+def scaled(text, factor):
+    """A list of lengths or of diagonals, such as "1 0:80:10" or "5.2/35", with its lengths times a
+    factor, to five digits, and angles as they are; ValueError where it can't be understood."""
+    return " ".join(_scaled_word(word, factor) for word in _words(text))
+
+
+def _scaled_word(word, factor):
+    lengths, slash, angle = word.partition("/")
+    return ":".join(f"{factor * float(part):.5g}" for part in lengths.split(":")) + slash + angle
+
+
+def _words(text):
+    return text.replace(";", " ").replace(",", ".").split()
 
 
 def _range(first, last, step, word, name):
@@ -38,7 +53,7 @@ def _range(first, last, step, word, name):
 def diagonals(text):
     """Pairs (height in m, angle in rad) of a text such as "5.2/35 4/50", the angle in degrees."""
     pairs = []
-    for word in text.replace(";", " ").replace(",", ".").split():
+    for word in _words(text):
         height, _, angle_deg = word.partition("/")
         try:
             pair = (float(height), radians(float(angle_deg)))

@@ -5,10 +5,11 @@ from types import SimpleNamespace
 
 import bpy
 import pytest
-from addon_under_test import module_name, part
+from addon_under_test import compute, module_name, part
 from expect_morph import boxes, morph_of
 from layout_widths import SIDEBAR, Measuring
 from networks import grid_network
+from test_fields_in_feet import ship as everything
 from test_panels import Drawn, compute_all, context
 
 # Those whose length is the user's or the file's.
@@ -166,3 +167,24 @@ def test_a_hull_of_a_family():
     morph.active_parent, morph.factors[1] = 1, 1.05
     assert "HULL_PT_morph_series" in [cls.__name__ for cls, _ in drawn_panels()]
     assert not faults()
+
+
+def test_all_fields_of_a_large_ship_in_feet():
+    """No wider than in metres."""
+    units, own = bpy.context.scene.unit_settings, everything().hull
+    own.resistance.holtrop.displaced_volume = own.resistance.delft.volume = 98765.4
+    own.resistance.holtrop.wetted_surface = own.resistance.delft.wetted_surface = 12345.6
+    own.loading.mass_t, own.loading.least_t, own.loading.greatest_t = 101234.5, 50123.4, 151234.5
+    own.lines.waterlines = "0:1:0.25 2:12.5:0.5 13.25 14.75 16 18 20 22 24 26 28 30"
+    own.targets.rows[0].value, own.targets.rows[0].tolerance = 98765.4, 12.3
+    for colours in ("GAUSSIAN", "MEAN", "DISTANCE"):
+        own.fairness.colours, own.fairness.colour_limit = colours, 0.125
+        bpy.context.view_layer.update()
+        for method in ("HOLTROP", "SAVITSKY", "DELFT"):
+            own.resistance.method = method
+            compute([(own.id_data.name, "resistance_curves")])
+            found = {}
+            for system in ("METRIC", "IMPERIAL"):
+                units.system = system
+                found[system] = set(faults())
+            assert found["IMPERIAL"] <= found["METRIC"]

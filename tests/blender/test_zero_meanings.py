@@ -57,7 +57,8 @@ class OperatorDrawn(Drawn):
 
     def __init__(self, cls):
         super().__init__(cls)
-        self.bl_rna, self.layout = rna_of(cls), Reading()
+        self.bl_rna = self.rna_type = rna_of(cls)
+        self.layout = Reading()
 
     def __getattr__(self, name):
         found = self.bl_rna.properties.get(name)
@@ -138,13 +139,14 @@ def make_zero(settings, wanted):
                     make_zero(group, wanted)
 
 
-def panels():
-    """What each panel that is there draws."""
-    now = context()
+def panels(reading=Reading, dialog_of=None):
+    """What each panel that is there draws, as noted by a class of layouts; dialog_of: as
+    test_panels.context() takes it."""
+    now = context(dialog_of)
     for cls in part("panels")._CLASSES:
         if issubclass(cls, bpy.types.Panel) and (not hasattr(cls, "poll") or cls.poll(now)):
             drawn = Drawn(cls)
-            drawn.layout = Reading()
+            drawn.layout = reading()
             drawn.draw(now)
             yield drawn.layout.noted
 

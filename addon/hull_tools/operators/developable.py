@@ -8,6 +8,7 @@ from bpy.props import BoolProperty, EnumProperty, FloatProperty, FloatVectorProp
 from ..bridge.counts import counted
 from ..features.hull import hull_state
 from ..features.modelling import developable_making, developable_shells
+from ..properties.shared import metric_field
 from .shared import EditModeOperator
 
 
@@ -46,7 +47,8 @@ class HULL_OT_make_developable(bpy.types.Operator, EditModeOperator):
     def draw(self, context):
         layout = self.layout
         layout.use_property_split = True
-        for name in ("warp", "distance", "keep"):
+        metric_field(layout, self, "warp")
+        for name in ("distance", "keep"):
             layout.prop(self, name)
 
     def run_on(self, hull, context):

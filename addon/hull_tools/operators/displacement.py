@@ -9,6 +9,7 @@ from ..bridge.blender import units
 from ..bridge.objects import hull_objects
 from ..features.transformation import form_parameters, halves, least_change, reports, section_shifts
 from ..properties.outline_settings import keep_deck, keep_profile, keep_side
+from ..properties.shared import metric_field
 from .shared import HullOperator, asked_length, asked_number, can_change, property_column
 from .tasks import TaskOperator
 
@@ -83,7 +84,7 @@ class Displacement:
 
     def draw_wanted(self, column):
         if self.measure != "NONE":
-            column.prop(self, self.measure.lower())
+            metric_field(column, self, self.measure.lower())
         column.prop(self, "lcb_as")
         if self.lcb_as != "NONE":
             column.prop(self, "lcb_percent" if self.lcb_as == "PERCENT" else "lcb")

@@ -4,6 +4,7 @@
 from bpy.props import BoolProperty, EnumProperty, StringProperty
 
 from ..properties import output_settings
+from ..properties.shared import metric_field
 from .export_hull import ExportByTask, ExportDrawing
 
 PAGES = ".pdf", "PDF", "A page each, reduced to fit A3; at true size: in sheets"
@@ -44,4 +45,4 @@ class ExportWithNumbers(ExportDrawing, ExportByTask):
         column = self.layout.column()
         column.use_property_split = True
         for name in self.numbers():
-            column.prop(self, name)
+            metric_field(column, self, name)

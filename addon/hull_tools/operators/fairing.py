@@ -9,7 +9,7 @@ from bpy.props import BoolProperty, EnumProperty, FloatProperty
 from ..bridge.blender import units
 from ..bridge.counts import counted
 from ..features.fairing import region_fairing, row_choice, row_fairing
-from ..properties.shared import field_or
+from ..properties.shared import field_or, metric_field
 from .shared import EditModeOperator, property_column
 from .tasks import TaskOperator
 
@@ -77,7 +77,7 @@ class _Settings:
         column = property_column(self)
         for name in self.own:
             column.prop(self, name)
-        column.prop(self, "deviation_mm")
+        metric_field(column, self, "deviation_mm")
         field_or(column, self, "largest_mm", "by any")
         for name in (
             "keep_stations",
@@ -179,6 +179,12 @@ class FairRow(EditModeOperator):
         name="Keep ends", description="The first and the last of the points stay", default=True
     )
     keep_stations: _keep_stations()
+
+    def draw(self, context):
+        column = property_column(self)
+        metric_field(column, self, "deviation_mm")
+        for name in ("keep_ends", "keep_stations"):
+            column.prop(self, name)
 
     def run_on(self, hull, context):
         deviation = 1e-3 * units.as_typed(self.deviation_mm)

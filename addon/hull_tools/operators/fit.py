@@ -12,7 +12,8 @@ from ..bridge.blender import units
 from ..bridge.counts import counted
 from ..bridge.objects import hull_objects
 from ..features.fitting import fitting
-from .shared import HullOperator, HullReader, can_change
+from ..properties.shared import metric_field
+from .shared import HullOperator, HullReader, can_change, property_column
 from .tasks import TaskOperator
 
 
@@ -59,6 +60,9 @@ class HULL_OT_load_stl(bpy.types.Operator, HullOperator, ImportHelper):
         max=1e6,
         precision=4,
     )
+
+    def draw(self, context):
+        metric_field(property_column(self), self, "metres", "m")
 
     def run_on(self, hull, context):
         path = Path(self.filepath)

@@ -12,7 +12,7 @@ from ..bridge.counts import counted
 from ..bridge.objects import networks
 from ..features.networks import adding, drawing, smoothing
 from ..properties.network_settings import KINDS
-from ..properties.shared import angle, length
+from ..properties.shared import angle, length, metric_field
 from .networks import NetworkOperator, selected_curves
 from .shared import in_object_mode, make_active, property_column, suit_views
 from .view_drag import DONE, ViewDrag
@@ -188,6 +188,9 @@ class HULL_OT_smooth_network_curve(bpy.types.Operator, NetworkOperator):
     )
 
     needs = (*NetworkOperator.needs, in_object_mode)
+
+    def draw(self, context):
+        metric_field(property_column(self), self, "deviation_mm", "mm")
 
     def invoke(self, context, event):
         self.deviation_mm = networks.at_hand(context).hull_network.deviation_mm

@@ -7,6 +7,7 @@ from bpy.props import BoolProperty, EnumProperty
 from ..bridge.blender import units
 from ..bridge.objects import hull_objects
 from ..features.transformation import inflating, lengthening, reports
+from ..properties.shared import metric_field
 from .shared import HullOperator, asked_length, asked_number, property_column
 
 _SKIP = {"SKIP_SAVE"}
@@ -102,7 +103,7 @@ class HULL_OT_inflate_section(bpy.types.Operator, HullOperator):
         column = property_column(self)
         column.prop(self, "place")
         column.prop(self, "area_as")
-        column.prop(self, self.area_as.lower())
+        metric_field(column, self, self.area_as.lower())
         column.prop(self, "use_extent")
         if self.use_extent:
             column.prop(self, "extent")

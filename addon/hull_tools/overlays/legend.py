@@ -6,7 +6,7 @@ import bpy
 import gpu
 from gpu_extras.batch import batch_for_shader
 
-from ..bridge.blender import blender_versions, view_room
+from ..bridge.blender import blender_versions, units, view_room
 from ..bridge.blender.palette import INK, PAPER
 from ..bridge.objects import hull_objects
 from ..features.hull import hull_state
@@ -18,7 +18,7 @@ _FONT = 0
 _TEXT_MM = 2.5
 _GAP = 12.0  # dots to the region's border, at a scale of 1
 
-_made = (None, None)  # of the last time: scale, LegendArrays
+_made = (None, None)  # of the last time: (scale, units.Shown), LegendArrays
 
 
 def legend_of(hull):
@@ -28,9 +28,10 @@ def legend_of(hull):
     scale = None if state is None else state.shown.colour_scale
     if scale is None:
         return None
-    if _made[0] is not scale:
+    made_of = (scale, units.shown_in(bpy.context.scene))
+    if _made[0] != made_of:
         title = colours.TITLES[state.shown.colour_field]
-        _made = (scale, legend_arrays.arrays_of(scale, title))
+        _made = (made_of, legend_arrays.arrays_of(scale, title, made_of[1].plot_sizes()))
     return _made[1]
 
 

@@ -6,11 +6,16 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ..features.lines.line_places import handy_spacing
+
 HEIGHT_MM = 62.0
 _MARGIN, _BAR_WIDTH, _TITLE_ROOM, _LINE = 2.5, 4.5, 9.0, 3.6
 _TICK_LENGTH, _TICK_WIDTH, _TEXT_GAP = 1.2, 0.25, 1.0
 _HALF_LETTER = 0.9
 _STEPS = 128
+# Of numbers in other units than the scale's: about how many; of each sign on a logarithmic one.
+_PARTS, _DECADES = 8, 3
+_LEAST_APART = 0.05  # of the bar: ticks nearer to 0 are left out
 
 _CORNERS = (0, 1, 2, 0, 2, 3)
 
@@ -50,19 +55,43 @@ class LegendArrays:
             yield (left, y - _HALF_LETTER), text
 
 
-def arrays_of(scale, title):
-    """LegendArrays of a hull_native.ColourScale."""
+def arrays_of(scale, title, sizes):
+    """LegendArrays of a hull_native.ColourScale, its numbers in units as units.Shown.plot_sizes()
+    has them."""
     low, high = _MARGIN, HEIGHT_MM - _MARGIN - _TITLE_ROOM
     edges = np.linspace(low, high, _STEPS + 1)
     shades = [(*colour, 1.0) for colour in scale.legend_colours(_STEPS + 1)]
     right = _MARGIN + _BAR_WIDTH
     places = [(_MARGIN, a, right, b) for a, b in zip(edges[:-1], edges[1:])]
+    positions, texts, unit = _ticks(scale, sizes)
     labels = tuple(
-        (float(low + position * (high - low)), text)
-        for position, text in zip(scale.tick_positions, scale.tick_labels)
+        (float(low + position * (high - low)), text) for position, text in zip(positions, texts)
     )
     bar = _rectangles(places, list(zip(shades[:-1], shades[1:])))
-    return LegendArrays(title, scale.unit, bar, labels)
+    return LegendArrays(title, unit, bar, labels)
+
+
+def _ticks(scale, sizes):
+    """(positions from 0 to 1, texts, unit) of round numbers of a scale."""
+    if scale.unit not in sizes:
+        return scale.tick_positions, scale.tick_labels, scale.unit
+    size, symbol = sizes[scale.unit]
+    if scale.unit == "mm":  # of a scale of distances in m
+        size *= 1e-3
+    low, high = scale.low / size, scale.high / size
+    values = _round_numbers(scale, low, high)
+    positions = scale.normalised(values * size)
+    apart = (values == 0.0) | (np.abs(positions - scale.normalised(np.zeros(1))) > _LEAST_APART)
+    return positions[apart], [f"{value:.3g}" for value in values[apart]], symbol
+
+
+def _round_numbers(scale, low, high):
+    """Rising, from low to high, about as many as a scale has in its own unit."""
+    if scale.mapping == "linear":
+        step = handy_spacing(high - low, _PARTS)
+        return step * np.arange(np.ceil(low / step - 1e-9), np.floor(high / step + 1e-9) + 1.0)
+    decades = np.floor(np.log10(high)) - np.arange(_DECADES)
+    return np.concatenate([-(10.0**decades), [0.0], 10.0 ** decades[::-1]])
 
 
 def _rectangles(places, shades):

@@ -6,6 +6,7 @@ import bpy
 from ..bridge.blender.units import format_value, metres_per_unit
 from ..bridge.objects import hull_objects
 from ..features.area_curves import live_target, reports
+from ..properties.shared import metric_field
 from .conversion import draw_task
 from .shared import HullPanel, draw_entries, label_value, label_wrapped, latest_result
 
@@ -54,7 +55,7 @@ class HULL_PT_area_curve(HullPanel, bpy.types.Panel):
         if point is not None:
             column = layout.column(align=True)
             column.prop(point, "x")
-            column.prop(point, "area")
+            metric_field(column, point, "area")
         row = layout.row(align=True)
         row.operator("hull.scale_area_curve")
         row.operator("hull.clear_area_curve", text="", icon="X")

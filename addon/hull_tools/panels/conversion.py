@@ -6,7 +6,7 @@ from ..bridge.blender import units
 from ..features.conversion import conversions, patches, worst_spots
 from ..features.exchange import step_size
 from ..features.hull import hull_state
-from ..properties.shared import field_or
+from ..properties.shared import field_or, metric_field
 from .shared import label_value, label_wrapped, text_field
 
 
@@ -16,7 +16,7 @@ def draw_choice(layout, settings):
     if settings.conversion == patches.PER_CELL:
         layout.prop(settings, "control_points")
     column = layout.column(align=True)
-    column.prop(settings, "tolerance_mm")
+    metric_field(column, settings, "tolerance_mm")
     asked = patches.asked_of(settings)
     label_value(column, "Of length", f"{asked.tolerance:.3g}")
     column = layout.column(align=True)

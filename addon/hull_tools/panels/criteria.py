@@ -7,7 +7,7 @@ from ..bridge.blender.units import format_value
 from ..bridge.objects import hull_objects
 from ..features.analyses import live_analyses
 from ..features.stability import criteria
-from ..properties.shared import field_or
+from ..properties.shared import field_or, metric_field
 from .shared import (
     OUTCOME_ICONS,
     OUTCOME_WORDS,
@@ -17,7 +17,6 @@ from .shared import (
     label_value,
     label_wrapped,
     latest_result,
-    metric_field,
     text_field,
 )
 
@@ -88,12 +87,12 @@ class HULL_PT_wind(HullPanel, bpy.types.Panel):
         area = draw_entries(layout, wind, "areas", "active_area", "wind_area")
         if area is not None:
             column = layout.column(align=True)
-            metric_field(column, context, area, "area", "m2")
+            metric_field(column, area, "area")
             column.prop(area, "z")
         column = layout.column(align=True)
         field_or(column, wind, "lever", "by the heights of the areas")
-        column.prop(wind, "pressure")
-        column.prop(wind, "keel_area")
+        metric_field(column, wind, "pressure")
+        metric_field(column, wind, "keel_area")
         field_or(column, wind, "roll_period", "by the IS Code")
         layout.prop(wind, "sharp_bilges")
         self._draw_numbers(layout, context, hull)

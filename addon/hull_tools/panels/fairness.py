@@ -6,13 +6,14 @@ from math import degrees
 
 import bpy
 
-from ..bridge.blender.units import format_value
+from ..bridge.blender.units import format_value, imperial, in_unit, is_imperial, metric_symbol
 from ..bridge.objects import hull_objects
 from ..features.analyses import live_analyses
 from ..features.conversion import conversions
 from ..features.fairing import seen_marks
 from ..features.fairness import combs
 from ..features.hull import form_before, hull_state
+from ..features.surface import colours
 from ..properties.shared import field_or
 from .conversion import draw_task
 from .shared import HullPanel, choice_below, export_buttons, label_value, label_wrapped
@@ -49,8 +50,16 @@ class HULL_PT_fairness(HullPanel, bpy.types.Panel):
             column = layout.column(align=True)
             if fairness.colours not in ("SLOPE", "DISTANCE"):
                 column.prop(fairness, "logarithmic")
-            field_or(column, fairness, "colour_limit", "by the hull")
+            draw_colour_limit(column, context, fairness)
         layout.operator("hull.check_flat", icon="MESH_PLANE")
+
+
+def draw_colour_limit(layout, context, fairness):
+    """The greatest value that colours tell apart, which is metric in any scene."""
+    unit = colours.unit_of(fairness)
+    is_other = imperial(unit) is not None and is_imperial(context.scene)
+    shown = {"text": f"Limit {metric_symbol(unit)}"} if is_other else {}
+    field_or(layout, fairness, "colour_limit", "by the hull", unit if is_other else None, **shown)
 
 
 class HULL_PT_combs(HullPanel, bpy.types.Panel):
@@ -78,13 +87,11 @@ class HULL_PT_combs(HullPanel, bpy.types.Panel):
         column = layout.column(align=True)
         column.scale_y = 0.8
         column.active = not state.status  # else they are of the hull as it was
-        column.label(text="Tooth for 1/m")
+        bend, symbol = in_unit(context.scene, 1.0, "1/m")
+        column.label(text=f"Tooth for {symbol}")
         for kind, group in state.fairness.combs.items():
-            label_value(
-                column,
-                _NAMES[kind],
-                format_value(context.scene, group.scale * fairness.comb_factor, "m"),
-            )
+            tooth = group.scale * fairness.comb_factor / bend
+            label_value(column, _NAMES[kind], format_value(context.scene, tooth, "m"))
         for mark, name in _MARK_NAMES.items():
             count = sum(group.mark_counts[mark] for group in state.fairness.combs.values())
             label_value(column, name, str(count))

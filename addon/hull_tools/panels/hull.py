@@ -7,6 +7,7 @@ from ..bridge import native
 from ..bridge.objects import hull_objects
 from ..features.dimensions import dimensions
 from ..features.hull import hull_state
+from ..properties.shared import metric_field
 from .conversion import draw_task
 from .doubts import draw_doubts, draw_mending
 from .shared import HullPanel, HullTab, label_value, label_wrapped
@@ -77,7 +78,7 @@ class HULL_PT_hull(HullTab, bpy.types.Panel):
             column.prop(settings, name)
         if not draw_task(layout, settings.id_data):
             layout.operator("hull.set_dimensions", text="Scale to Dimensions …")
-        layout.prop(settings, "water_density")
+        metric_field(layout, settings, "water_density")
         row = layout.row(align=True)
         row.prop(settings, "half")
         row.operator("hull.make_whole" if settings.half else "hull.make_half")

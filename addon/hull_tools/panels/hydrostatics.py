@@ -8,7 +8,7 @@ from ..bridge.objects import hull_objects
 from ..features.flotation import hydrostatics
 from ..features.hull import hull_state
 from ..properties.shared import field_or
-from .shared import HullPanel, export_buttons, label_value, label_wrapped, text_field
+from .shared import HullPanel, export_buttons, label_list, label_value, label_wrapped, text_field
 
 _ROWS = 2 + len(hydrostatics.KEY_FIGURES)  # of numbers in the panel itself
 
@@ -116,6 +116,7 @@ class HULL_PT_hydrostatic_table(HullPanel, bpy.types.Panel):
         field_or(column, table, "draft_to", "the draft")
         field_or(column, table, "draft_step", "a tenth of the range")
         text_field(layout, table, "trims")
+        label_list(layout, context, table.trims)
         export_buttons(layout, "hydrostatic_table")
 
 

@@ -4,7 +4,7 @@
 import bpy
 
 from ..bridge.objects import hull_objects
-from ..properties.shared import field_or
+from ..properties.shared import field_or, metric_fields
 from .shared import HullPanel, text_field
 
 
@@ -19,8 +19,7 @@ class HULL_PT_lines_plan(HullPanel, bpy.types.Panel):
         column = layout.column(align=True)
         column.prop(plan, "paper")
         if plan.paper == "OWN":
-            column.prop(plan, "width")
-            column.prop(plan, "height")
+            metric_fields(column, plan, ("width", "height"), "mm")
         field_or(column, plan, "scale", "the largest that fits")
         column = layout.column(align=True)
         for name in ("profile", "half_breadth", "body_plan", "offsets"):

@@ -8,6 +8,7 @@ from ..bridge.objects import hull_objects
 from ..features import analyses
 from ..features.analyses import live_analyses
 from ..features.hull import hull_state
+from ..properties.shared import metric_field
 from .shared import (
     OUTCOME_ICONS,
     OUTCOME_WORDS,
@@ -17,7 +18,6 @@ from .shared import (
     label_value,
     label_wrapped,
     latest_result,
-    metric_field,
 )
 
 _EQUILIBRIUM_ROWS = 11
@@ -70,7 +70,7 @@ class HULL_PT_load_cases(HullPanel, bpy.types.Panel):
         if case is None:
             return
         column = layout.column(align=True)
-        metric_field(column, context, case, "mass_t", "t")
+        metric_field(column, case, "mass_t")
         for name in ("lcg", "tcg", "vcg", "with_weights"):
             column.prop(case, name)
         rows = _MESSAGE_ROWS + _EQUILIBRIUM_ROWS

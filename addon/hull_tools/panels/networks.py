@@ -7,7 +7,7 @@ from ..bridge.blender import sentence_units, units
 from ..bridge.counts import counted
 from ..bridge.objects import hull_objects, networks
 from ..features.networks import network_state, to_hull
-from ..properties.shared import field_or
+from ..properties.shared import field_or, metric_field
 from .shared import HullTab, label_value, label_wrapped, text_field
 
 # Of problems, and of curves that are off a hull, how many are listed.
@@ -38,7 +38,7 @@ class HULL_PT_networks(HullTab, bpy.types.Panel):
         column.prop(settings, "tie")
         column = layout.column(align=True)
         column.operator("hull.smooth_network_curve", icon="MOD_SMOOTH")
-        column.prop(settings, "deviation_mm", text="M in mm")
+        metric_field(column, settings, "deviation_mm", text="M in mm")
         column = layout.column(align=True)
         column.prop(settings, "show_surface")
         row = column.row()

@@ -3,9 +3,11 @@
 
 import bpy
 
+from ..bridge.blender.units import shown_in
 from ..bridge.objects import hull_objects
 from ..features.conversion import conversions
 from ..features.production import plate_files
+from ..properties.shared import metric_field, show_imperial
 from .conversion import draw_task
 from .shared import HullPanel, label_value, label_wrapped, text_field
 
@@ -29,7 +31,7 @@ class HULL_PT_plates(HullPanel, bpy.types.Panel):
         column = layout.column(align=True)
         column.prop(settings, "along_knuckles")
         column.prop(settings, "across_centre")
-        layout.prop(settings, "thickness")
+        metric_field(layout, settings, "thickness")
         if not draw_task(layout, hull):
             column = layout.column(align=True)
             column.operator("hull.lay_out_plates", icon="MESH_GRID")
@@ -46,6 +48,8 @@ class HULL_PT_plates(HullPanel, bpy.types.Panel):
             number.scale_x = 0.85
             number.prop(rule, "line" if rule.kind == "projected" else "value", text="")
             _draw_removal(row, "REMOVE_RULE", index)
+            if rule.kind != "projected":
+                show_imperial(column, rule, ["value"], "m")
         column.operator("hull.change_plate_list", text="Add Rule", icon="ADD").action = "ADD_RULE"
 
     def _draw_list(self, context, hull):
@@ -59,8 +63,9 @@ class HULL_PT_plates(HullPanel, bpy.types.Panel):
         if not is_current:
             column.label(text="Of the hull as it was", icon="INFO")
         column.scale_y = 0.8
+        shown = shown_in(context.scene)
         for row in report.rows[:_MOST_LISTED]:
-            name, words, settled = plate_files.plate_words(row)
+            name, words, settled = plate_files.plate_words(row, shown)
             line = column.row()
             line.alert = not settled
             label_value(line, name, words)
@@ -102,6 +107,7 @@ class HULL_PT_frames(HullPanel, bpy.types.Panel):
             row.prop(each, "last", text="To")
             row.prop(each, "spacing", text="m")
             _draw_removal(row, "REMOVE_RANGE", index)
+            show_imperial(column, each, ["spacing"], "m")
         column.operator("hull.change_plate_list", text="Add Range", icon="ADD").action = "ADD_RANGE"
         text_field(self.layout, settings, "numbered_from")
         self.layout.prop(settings, "in_roman")

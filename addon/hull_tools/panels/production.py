@@ -5,7 +5,7 @@ import bpy
 
 from ..bridge.objects import hull_objects
 from ..features.production import model_figures
-from ..properties.shared import field_or
+from ..properties.shared import field_or, metric_field, metric_fields
 from .conversion import draw_task
 from .shared import HullPanel, label_value, label_wrapped
 
@@ -21,16 +21,15 @@ class HULL_PT_model(HullPanel, bpy.types.Panel):
         own = hull.hull.model
         column = layout.column(align=True)
         column.prop(own, "scale")
-        column.prop(own, "tolerance")
+        metric_field(column, own, "tolerance")
         field_or(layout, own, "wall", "solid")
         layout.prop(own, "in_segments")
         if own.in_segments:
             column = layout.column(align=True)
-            for axis in "xyz":
-                column.prop(own, f"machine_{axis}")
+            metric_fields(column, own, ("machine_x", "machine_y", "machine_z"))
             field_or(layout, own, "dowel", "none")
         else:
-            layout.prop(own, "layer")
+            metric_field(layout, own, "layer")
         if not draw_task(layout, hull):
             row = layout.row(align=True)
             row.operator("hull.make_model", text="Make", icon="MESH_ICOSPHERE")
@@ -63,7 +62,7 @@ class HULL_PT_panel_mesh(HullPanel, bpy.types.Panel):
             _draw_figures(layout, context, *figures)
         layout.separator()
         layout.label(text="For flow")
-        layout.prop(own, "part_tolerance")
+        metric_field(layout, own, "part_tolerance")
         if is_free:
             layout.operator("hull.export_parts", text="Named Parts", icon="EXPORT")
 

@@ -6,12 +6,12 @@ import math
 import bpy
 
 from ...hull_io import ship_data
-from ..bridge.blender.units import in_unit
+from ..bridge.blender.units import imperial, in_unit, is_imperial
 from ..bridge.objects import hull_objects
 from ..features.analyses import live_analyses
 from ..features.resistance import resistance_curves
 from ..features.variants import other_hull
-from ..properties.shared import field_or
+from ..properties.shared import field_or, metric_field
 from .shared import HullPanel, export_buttons, label_wrapped, latest_result, text_field
 
 _ROWS = 12  # of the table; the file has all
@@ -73,7 +73,7 @@ class HULL_PT_resistance(HullPanel, bpy.types.Panel):
     def _draw_ship(self, layout, own):
         text_field(layout, own, "stern")
         column = layout.column(align=True)
-        column.prop(own, "appendage_area")
+        metric_field(column, own, "appendage_area")
         column.prop(own, "appendage_factor")
         column = layout.column(align=True)
         column.prop(own, "propeller_diameter")
@@ -144,7 +144,7 @@ class HULL_PT_resistance_inputs(HullPanel, bpy.types.Panel):
             column.prop(own, "thruster_diameter")
             if own.thruster_diameter:
                 column.prop(own, "thruster_coefficient")
-            column.prop(own, "roughness_um")
+            metric_field(column, own, "roughness_um")
             text_field(layout, own, "hulls")
         rows = _inputs(own.method)
         if own.method == "MICHELL":
@@ -183,8 +183,25 @@ def _draw_input(column, context, own, place, input_name, value, unit):
     settings = getattr(own, group) if group else own
     field, right = _draw_columns(column, settings.bl_rna.properties[name].name, "", "")
     field.prop(settings, name, text="")
-    right.active = not (getattr(settings, name) or input_name in own.zeros)
+    given = getattr(settings, name)
+    right.active = not (given or input_name in own.zeros)
     right.label(text=_measured(context.scene, value, unit))
+    if unit != "m" and imperial(unit) and is_imperial(context.scene):
+        _draw_imperial(column.column(align=True), context, given, value, unit)
+
+
+def _draw_imperial(column, context, given, value, unit):
+    """Below a row in a metric unit what the numbers are in feet or their like."""
+    column.active = False
+    column.scale_y = 0.8
+
+    def text(metric):
+        if not metric:
+            return ""
+        number, _ = in_unit(context.scene, metric, unit)
+        return f"{number:.3f}" if abs(number) < 100.0 else f"{number:.0f}"
+
+    _draw_columns(column, in_unit(context.scene, 0.0, unit)[1], text(given), text(value))
 
 
 def _measured(scene, value, unit):

@@ -7,7 +7,7 @@ from ..bridge.objects import hull_objects
 from ..features.hull import hull_state
 from ..features.lines import lines
 from ..properties.shared import field_or
-from .shared import HullPanel, label_wrapped, text_field
+from .shared import HullPanel, label_list, label_wrapped, text_field
 
 
 class HULL_PT_sections(HullPanel, bpy.types.Panel):
@@ -32,6 +32,8 @@ class HULL_PT_sections(HullPanel, bpy.types.Panel):
                 column.prop(settings, name)
             if kind == "station" and settings.stations:
                 text_field(column, settings, "stations_in")
+            if kind != "station" or settings.stations_in == "METRES":
+                label_list(column, context, getattr(settings, fields[-1]))
         for kind in ("draft", "flat", "feature"):
             self._draw_switch(layout, settings, found, kind, is_current)
         if hull.hull.plates.ranges:

@@ -5,8 +5,9 @@ import textwrap
 
 import bpy
 
+from ...hull_io import number_lists
 from ..bridge.blender import sentence_units
-from ..bridge.blender.units import format_value, is_imperial
+from ..bridge.blender.units import in_unit, is_imperial
 from ..bridge.objects import hull_objects
 from ..features import analyses
 from ..features.analyses import live_analyses
@@ -16,6 +17,8 @@ from ..features.hull import hull_state
 # and the width of a letter of the interface's font on average.
 _MARGINS = 75
 _LETTER = 6.4
+
+_LONGEST_LIST = 100  # letters of a list in feet, as the field beside it shows the whole
 
 # Of the outcome of a criterion.
 OUTCOME_ICONS = {"pass": "CHECKMARK", "fail": "CANCEL", "not computed": "QUESTION"}
@@ -74,15 +77,20 @@ def choice_below(layout, settings, name):
     column.prop(settings, name, text="")
 
 
-def metric_field(layout, context, settings, name, unit):
-    """A number that is in a metric unit of tables whatever the scene's are; below it what that is
-    in the scene's."""
-    layout.prop(settings, name)
-    if is_imperial(context.scene):
-        row = layout.row()
-        row.active = False
-        row.alignment = "RIGHT"
-        row.label(text=f"= {format_value(context.scene, getattr(settings, name), unit)}")
+def label_list(layout, context, text):
+    """A list of lengths in m in feet, below its field in an imperial scene, as far as it can be
+    understood."""
+    if not text.strip() or not is_imperial(context.scene):
+        return
+    factor, symbol = in_unit(context.scene, 1.0, "m")
+    try:
+        feet = number_lists.scaled(text, factor)
+    except ValueError:
+        return  # which is told where the lines are
+    feet = textwrap.shorten(feet, _LONGEST_LIST, placeholder=" …")
+    column = layout.column()
+    column.active = False
+    label_wrapped(column, context, f"= {feet} {symbol}/°" if "/" in text else f"= {feet} {symbol}")
 
 
 def export_buttons(layout, analysis):

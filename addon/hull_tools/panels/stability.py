@@ -11,7 +11,7 @@ from ..features import analyses
 from ..features.analyses import live_analyses
 from ..features.flotation import afloat
 from ..features.stability import righting_levers
-from ..properties.shared import field_or
+from ..properties.shared import field_or, metric_field
 from .shared import (
     HullPanel,
     draw_entries,
@@ -19,7 +19,6 @@ from .shared import (
     label_value,
     label_wrapped,
     latest_result,
-    metric_field,
     text_field,
     why_old,
 )
@@ -79,7 +78,7 @@ class HULL_PT_stability(HullPanel, bpy.types.Panel):
         layout.prop(loading, "use_displacement")
         column = layout.column(align=True)
         if not loading.use_displacement:
-            metric_field(column, context, loading, "mass_t", "t")
+            metric_field(column, loading, "mass_t")
         column.prop(loading, "kg")
         layout.prop(loading, "use_lcb")
         if not loading.use_lcb:

@@ -3,9 +3,10 @@
 
 import bpy
 
-from ..bridge.blender.units import metric_symbol
+from ..bridge.blender.units import imperial, is_imperial, metric_symbol
 from ..bridge.objects import hull_objects
 from ..features.targets import quantities, reports, rows
+from ..properties.shared import metric_field, show_imperial
 from .conversion import draw_task
 from .fairness import draw_mark_change
 from .shared import HullPanel, draw_entries, label_value, label_wrapped, text_field
@@ -23,18 +24,25 @@ class HULL_UL_rows(bpy.types.UIList):
         # A sidebar of the usual width has place for twelve and for five characters.
         split = row.split(factor=0.7)
         split.active = item.use
-        wanted = _number(item.value, 2 if quantity.unit == "%" else 3)
+        size = _size(context.scene, quantity.unit)
+        # Feet have a digit more before the point.
+        decimals = {"%": 2, "": 4}.get(quantity.unit, 3 if size == 1.0 else 2)
+        wanted = _number(item.value / size, min(decimals, 3))
         split.label(text=f"{quantity.label} {_SIGNS[item.sense]} {wanted}")
         now = rows.present(item, data.id_data, context.scene)
         right = split.row()
         right.alignment = "RIGHT"
-        decimals = {"%": 2, "": 4}.get(quantity.unit, 3)
-        right.label(text="–" if now is None else _number(now, decimals))
+        right.label(text="–" if now is None else _number(now / size, decimals))
+
+
+def _size(scene, unit):
+    """Of the unit that rows show numbers of a quantity in."""
+    found = imperial(unit) if is_imperial(scene) else None
+    return found[0] if found else 1.0
 
 
 def _number(value, decimals):
-    """A number as text, rounded to a whole one where it is long. Wanted numbers are metric in any
-    scene: what there is beside them is, too."""
+    """A number as text, rounded to a whole one where it is long."""
     text = f"{value:.{decimals}f}"
     return f"{value:.0f}" if len(text) > 6 else text
 
@@ -96,10 +104,13 @@ def _draw_row(layout, row):
     line.prop(row, "sense", expand=True)
     column = layout.column(align=True)
     line = column.row(align=True)
-    symbol = metric_symbol(quantities.quantity_of(row).unit)
+    unit = quantities.quantity_of(row).unit
+    symbol = metric_symbol(unit)
     line.prop(row, "value", text=f"Wanted, {symbol}" if symbol else "Wanted")
     line.operator("hull.take_present_target", text="", icon="EYEDROPPER")
-    column.prop(row, "tolerance")
+    unit = unit if imperial(unit) else None
+    show_imperial(column, row, ["value"], unit)
+    metric_field(column, row, "tolerance", unit)
 
 
 def draw_free(layout, settings):

@@ -8,7 +8,7 @@ from ..bridge.objects import hull_objects
 from ..features.flotation import hydrostatics
 from ..features.hull import hull_state
 from ..features.variants import distances, ghosts, kept_hulls
-from ..properties.shared import field_or
+from .fairness import draw_colour_limit
 from .shared import (
     HullPanel,
     choice_below,
@@ -149,7 +149,7 @@ class HULL_PT_distances(HullPanel, bpy.types.Panel):
         choice_below(layout, fairness, "colours")
         if fairness.colours != distances.COLOURS or state is None:
             return
-        field_or(layout, fairness, "colour_limit", "by the hull")
+        draw_colour_limit(layout, context, fairness)
         shown = state.shown
         if shown.distances is None:
             text = "computing …" if shown.other is None else shown.other.status

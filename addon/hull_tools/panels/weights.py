@@ -5,15 +5,8 @@ import bpy
 
 from ..bridge.blender.units import format_value
 from ..bridge.objects import hull_objects
-from ..properties.shared import field_or
-from .shared import (
-    HullPanel,
-    draw_entries,
-    export_buttons,
-    label_value,
-    latest_result,
-    metric_field,
-)
+from ..properties.shared import field_or, metric_field
+from .shared import HullPanel, draw_entries, export_buttons, label_value, latest_result
 
 _ROWS = 4  # of the sum
 
@@ -38,12 +31,12 @@ class HULL_PT_weights(HullPanel, bpy.types.Panel):
         weights = hull.hull.weights
         column = layout.column(align=True)
         column.prop(weights, "thickness")
-        column.prop(weights, "density")
+        metric_field(column, weights, "density")
         self._draw_layers(layout, hull)
         item = draw_entries(layout, weights, "items", "active_item", "weight")
         if item is not None:
             column = layout.column(align=True)
-            metric_field(column, context, item, "mass_t", "t")
+            metric_field(column, item, "mass_t")
             for name in ("lcg", "tcg", "vcg"):
                 column.prop(item, name)
         result, place = latest_result(layout, context, "weights", "Sum", _ROWS)

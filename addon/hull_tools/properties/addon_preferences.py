@@ -5,6 +5,7 @@ import bpy
 from bpy.props import BoolProperty, EnumProperty, FloatProperty, FloatVectorProperty, IntProperty
 
 from ..bridge.blender import palette, pie_key, preferences, redraw
+from .shared import metric_field
 
 _GROUNDS = ("on light grounds", "on dark grounds")
 
@@ -132,9 +133,10 @@ class HullToolsPreferences(bpy.types.AddonPreferences):
         layout.use_property_split = True
         layout.label(text="Hulls that there are keep what they have")
         column = layout.column()
-        for name in ("station_count", "waterline_count", "buttock_count", "samples", "line_width",
-                     "water_density"):  # fmt: skip
+        for name in ("station_count", "waterline_count", "buttock_count", "samples",
+                     "line_width"):  # fmt: skip
             column.prop(self, name)
+        metric_field(column, self, "water_density")
 
     def _draw_view(self, layout):
         layout.use_property_split = True

@@ -100,8 +100,8 @@ class HullFairness(bpy.types.PropertyGroup):
     )
     colour_limit: FloatProperty(
         name="Limit",
-        description="Greatest value that the colours tell apart, in the legend's unit; 0: what "
-        "98 % of the surface stay below",
+        description="Greatest value that the colours tell apart, in the unit that the legend has "
+        "in metric scenes; 0: what 98 % of the surface stay below",
         min=0.0,
         precision=4,
         update=changed,

@@ -6,8 +6,8 @@ import re
 from .units import IMPERIAL, is_imperial
 
 # Units as sentences write them.
-_WRITTEN = ("1/m", "mm", "m²", "m³", "m⁴", "m", "t/m³", "t", "kN", "kW")
-_SIZES = {**IMPERIAL.plot_sizes(), "mm": (25.4, "in")}
+_WRITTEN = ("1/m", "mm", "m²", "m³", "m⁴", "cm³", "m", "t/m³", "t", "kN", "kW")
+_SIZES = {**IMPERIAL.plot_sizes(), "cm³": (2.54**3, "in³")}
 _FEWEST_DIGITS = 4
 
 _NUMBER = r"[-+]?\d+(?:\.\d+)?(?:e[-+]?\d+)?"

@@ -16,8 +16,10 @@ _LONG_TON = 1.0160469088
 _POUND_FORCE = 0.0044482216152605  # kN
 _POUND_A_CUBIC_FOOT = 0.01601846337396014  # t/m³
 _HORSEPOWER = 0.74569987158227022  # kW
+_POUND_A_SQUARE_FOOT = 47.880258980335840  # Pa
 
-# By the unit of tables: what the panels write, and for the imperial system the size of its unit.
+# By the unit of tables and fields: what the panels write, and for the imperial system the size of
+# its unit.
 _METRIC_SYMBOLS = {
     "m": "m",
     "m2": "m²",
@@ -31,6 +33,12 @@ _METRIC_SYMBOLS = {
     "s": "s",
     "kN": "kN",
     "kW": "kW",
+    "1/m": "1/m",
+    "1/m2": "1/m²",
+    "mm": "mm",
+    "µm": "µm",
+    "Pa": "Pa",
+    "°/m": "°/m",
 }
 _IMPERIAL = {
     "m": (_FOOT, "ft"),
@@ -45,6 +53,12 @@ _IMPERIAL = {
     "s": (1.0, "s"),
     "kN": (_POUND_FORCE, "lbf"),
     "kW": (_HORSEPOWER, "hp"),
+    "1/m": (1.0 / _FOOT, "1/ft"),
+    "1/m2": (_FOOT**-2, "1/ft²"),
+    "mm": (1e3 * _INCH, "in"),
+    "µm": (1e3 * _INCH, "mil"),
+    "Pa": (_POUND_A_SQUARE_FOOT, "lb/ft²"),
+    "°/m": (1.0 / _FOOT, "°/ft"),
 }
 
 
@@ -72,8 +86,7 @@ class Shown:
         does, as hull_native.PlotUnits takes them."""
         if not self.is_imperial:
             return {}
-        sizes = {_METRIC_SYMBOLS[unit]: found for unit, found in _IMPERIAL.items()}
-        return {**sizes, "1/m": (1.0 / _FOOT, "1/ft")}
+        return {_METRIC_SYMBOLS[unit]: found for unit, found in _IMPERIAL.items()}
 
 
 METRIC, IMPERIAL = Shown(), Shown(is_imperial=True)
@@ -143,6 +156,32 @@ def is_imperial(scene):
 def metric_symbol(unit):
     """How one of the units of tables is written: "m³"; "" where there is none."""
     return _METRIC_SYMBOLS.get(unit, unit)
+
+
+def unit_of_label(label):
+    """The unit of tables that a field's name ends in, of those that an imperial one stands for:
+    "m3" of "∇ in m³", "mm" of "Deviation (mm)"; None where there is none."""
+    symbol = label.rpartition(" ")[2].strip("()")
+    return next(
+        (
+            unit
+            for unit, (size, _) in _IMPERIAL.items()
+            if size != 1.0 and _METRIC_SYMBOLS[unit] == symbol
+        ),
+        None,
+    )
+
+
+def imperial_texts(values, unit):
+    """Numbers in a unit of tables as one text in the imperial one: "2.000, 0.1969 in"."""
+    _, symbol = IMPERIAL.in_unit(0.0, unit)
+    numbers = (IMPERIAL.in_unit(value, unit)[0] for value in values)
+    return f"{', '.join(map(_all_digits, numbers))} {symbol}"
+
+
+def _all_digits(value):
+    """As tables print it, and four digits of what is small."""
+    return f"{value:.4g}" if 0.0 < abs(value) < 1.0 else _digits(value)
 
 
 # What is smaller is rounding of the numbers, and of no use to people.

@@ -11,10 +11,8 @@ _BRACKET = re.compile(r"\[([^\]]+)\]")
 _EACH_ROW_S = "see unit"  # values have the unit that the column "unit" names
 # Of units that tables alone have: the name there, and how much of the metric unit one is.
 _OTHERS = {
-    "mm": (25.4, "in"),
     "m/s": (0.3048, "ft/s"),
     "m/rad": (0.3048, "ft/rad"),
-    "1/m": (1.0 / 0.3048, "1/ft"),
     "kN/deg": (0.0044482216152605, "lbf/deg"),
 }
 

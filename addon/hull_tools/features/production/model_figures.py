@@ -56,12 +56,15 @@ class ModelMaking(_Making):
     text = "Making the model"
 
     def __init__(self, obj, scene):
+        self._shown = units.shown_in(scene)
         super().__init__(obj, scene, _MODEL, made_model, model_options(obj.hull.model))
 
     def rows(self, made):
         size = made.model.points.max(axis=0) - made.model.points.min(axis=0)
+        size, symbol = self._shown.in_unit(size, "mm")
+        decimals = 1 if self._shown.is_imperial else 0
         rows = [
-            ("Size mm", " × ".join(f"{one:.0f}" for one in size)),
+            (f"Size {symbol}", " × ".join(f"{one:.{decimals}f}" for one in size)),
             ("Triangles", f"{len(made.model.triangles)}"),
             ("Volume", f"{made.model.volume / 1000.0:.1f} cm³"),
         ]

@@ -268,11 +268,16 @@ def last_plates(obj):
     return hull_state.last_report(obj, KeptPlates)
 
 
-def plate_words(row):
-    """(name, what is told of it, whether its layout settled) of a plate in a list on screen."""
+def plate_words(row, shown):
+    """(name, what is told of it, whether its layout settled) of a plate in a list on screen, in the
+    units of a units.Shown."""
     ratio = row["largest_stretch"] / row["least_stretch"] - 1.0
-    area, mass = row["area_m2"], row["mass_kg"] / 1000.0
+    area, area_symbol = shown.in_unit(row["area_m2"], "m2")
+    mass, mass_symbol = shown.in_unit(row["mass_kg"] / 1000.0, "t")
     # No longer than the sidebar is broad.
-    area_digits, mass_digits = int(area < 99.95), 2 - int(mass >= 9.995)
-    words = f"{area:.{area_digits}f} m² {mass:.{mass_digits}f} t {1000.0 * ratio:.1f} ‰"
+    area_digits, mass_digits = int(area < 99.95), 2 - int(mass >= 9.995 or shown.is_imperial)
+    plate = f"{area:.{area_digits}f} {area_symbol} {mass:.{mass_digits}f} {mass_symbol}"
+    per_mille = 1000.0 * ratio
+    ratio_digits = 1 - int(per_mille >= 9.95 and shown.is_imperial)
+    words = f"{plate} {per_mille:.{ratio_digits}f} ‰"
     return row["plate"], words, "settled" not in row["form"]

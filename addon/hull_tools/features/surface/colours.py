@@ -28,6 +28,8 @@ TITLES = {
     "slope": "Slope",
     "distance": "Distance",
 }
+# Of limits, by field, as units of tables; of others "1/m".
+_UNITS = {"gaussian": "1/m2", "slope": "deg", "distance": "mm"}
 _PART_INSIDE = 0.98  # of the surface, of a range that is not given
 
 
@@ -38,6 +40,12 @@ def wanted(fairness):
     is_curvature = fairness.colours not in ("SLOPE", "DISTANCE")
     mapping = "logarithmic" if fairness.logarithmic and is_curvature else "linear"
     return FIELDS[fairness.colours], mapping, as_typed(fairness.colour_limit)
+
+
+def unit_of(fairness):
+    """The unit of tables that the limit of the colours is in; None when there are none."""
+    kind = FIELDS.get(fairness.colours)
+    return kind and _UNITS.get(kind, "1/m")
 
 
 def coloured(surface, tessellation, choice, values=None):
@@ -60,7 +68,7 @@ def coloured(surface, tessellation, choice, values=None):
 
 
 def _limits(kind, limit):
-    """(low, high) of a scale by a limit in the legend's unit."""
+    """(low, high) of a scale by a limit in the unit that the legend has in metric scenes."""
     if kind == "slope":
         return 0.0, np.radians(min(limit, 180.0))
     if kind == "distance":

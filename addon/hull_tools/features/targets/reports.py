@@ -102,12 +102,21 @@ def missed(report):
     return [row for row in report.rows if row.miss]
 
 
+def _wanted(row, scene):
+    """What a row asks for, in the unit that the number reached is told in."""
+    wanted = row.wanted
+    if units.is_imperial(scene) and units.imperial(row.unit):
+        sign, _, number = wanted.partition(" ")
+        wanted = f"{sign} {units.in_unit(scene, float(number), row.unit)[0]:g}"
+    return f"{row.label} {wanted}"
+
+
 def warning(report, scene):
     """What is not as wanted, and why, in a sentence, or ""."""
     if report.is_met:
         return ""
     short = "; ".join(
-        f"{row.label} {row.wanted}: nearest is {units.format_value(scene, row.reached, row.unit)}"
+        f"{_wanted(row, scene)}: nearest is {units.format_value(scene, row.reached, row.unit)}"
         for row in missed(report)
     )
     binding = [row.label for row in report.rows if row.binds and not row.miss]
@@ -142,7 +151,7 @@ def _reached(row, scene):
 
 def told(report, scene):
     """Pairs (name, value) of what a panel shows of a Report."""
-    pairs = [(f"{row.label} {row.wanted}", _reached(row, scene)) for row in report.rows]
+    pairs = [(_wanted(row, scene), _reached(row, scene)) for row in report.rows]
     names = ("Length", "Beam", "Draft")
     pairs += [
         (f"{name} times", f"{factor:.5f}")
