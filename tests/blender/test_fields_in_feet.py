@@ -171,7 +171,7 @@ def drawings():
     """Of all panels, with hulls and networks so that all fields are there."""
     own = ship().hull
     bpy.context.view_layer.update()
-    for method in ("HOLTROP", "SAVITSKY", "DELFT"):
+    for method in ("HOLTROP", "SAVITSKY", "DELFT", "MICHELL"):
         own.resistance.method = method
         yield from panels(Reading)
     own.model.in_segments = False
@@ -263,6 +263,6 @@ def test_nothing_of_it_in_a_metric_scene():
 
 def drawings_of_texts():
     own = bpy.context.object.hull
-    for method in ("HOLTROP", "SAVITSKY", "DELFT"):
+    for method in ("HOLTROP", "SAVITSKY", "DELFT", "MICHELL"):
         own.resistance.method = method
         yield from texts().values()
