@@ -47,8 +47,8 @@ class HullHoltropInputs(bpy.types.PropertyGroup):
 
     length: _length("Length", "On the waterline")
     beam: _length("Beam", "On the waterline")
-    draft_forward: _length("Draft fwd", "At the waterline's forward end, to the base line")
-    draft_aft: _length("Draft aft", "At the waterline's after end, to the base line")
+    draft_forward: _length("T fwd", "At the waterline's forward end, to the base line")
+    draft_aft: _length("T aft", "At the waterline's after end, to the base line")
     displaced_volume: _input("∇ m³", "Displaced volume in m³", 1e8)
     lcb_percent: _input(
         "LCB %", "Forward of the middle of the waterline, in % of its length", 50.0, -50.0
