@@ -6,27 +6,10 @@ import math
 
 import hull_native as hn
 import pytest
+from test_holtrop_example import KNOT
+from test_holtrop_example import SHIP as SHIP_1982
+from test_holtrop_example import example
 from transformation_hulls import SAMPLES, Sample
-
-KNOT = 1852.0 / 3600.0
-
-# Holtrop & Mennen (1982), section 5: 205 m, 25 knots. CP as printed, which is on another length.
-SHIP_1982 = hn.HoltropShip(
-    length=205.0,
-    beam=32.0,
-    draft_forward=10.0,
-    draft_aft=10.0,
-    displaced_volume=37500.0,
-    lcb_percent=-0.75,
-    midship=0.98,
-    waterplane=0.75,
-    prismatic=0.5833,
-    bulb_area=20.0,
-    bulb_height=4.0,
-    transom_area=16.0,
-    appendages=((50.0, 1.5),),
-    stern_coefficient=10.0,
-)
 
 # Holtrop (1984): 50 m, twin screws.
 SHIP_1984 = hn.HoltropShip(
@@ -45,51 +28,9 @@ SHIP_1984 = hn.HoltropShip(
 )
 
 
-def example_1982():
-    propeller = hn.Propeller(8.0, area_ratio=0.7393)
-    speeds = [25.0 * KNOT]
-    return hn.holtrop(SHIP_1982, speeds, edition=1982, gravity=9.81, propeller=propeller)[0]
-
-
-# As printed, each with what the printed digits leave open. The paper goes on with rounded numbers:
-# m2, RW and RF are by Fn = 0.2868 and CF = 0.001390, RA by CA = 0.000352, 0.1 % at most.
-PRINTED_1982 = {
-    "S": (7381.45, 0.005),
-    "1+k1": (1.156, 0.0005),
-    "c12": (0.5102, 0.00005),
-    "c13": (1.030, 0.0005),
-    "LR": (81.385, 0.003),
-    "CF": (0.001390, 0.0000005),
-    "c7": (0.1561, 0.00005),
-    "iE": (12.08, 0.005),
-    "c1": (1.398, 0.0005),
-    "c3": (0.02119, 0.000005),
-    "c2": (0.7595, 0.00005),
-    "c5": (0.9592, 0.00005),
-    "m1": (-2.1274, 0.00005),
-    "c15": (-1.69385, 0.000005),
-    "m2": (-0.17087, 0.00002),
-    "lambda": (0.6513, 0.00005),
-    "PB": (0.6261, 0.00005),
-    "Fni": (1.5084, 0.0001),
-    "FnT": (5.433, 0.0015),
-    "c4": (0.04, 0.0),
-    "CA": (0.000352, 0.0000005),
-    "CV": (0.001963, 0.000004),
-    "c9": (14.500, 0.0005),
-    "c11": (1.250, 0.0),
-    "CP1": (0.5477, 0.00005),
-}
-
-
-@pytest.mark.parametrize("name", PRINTED_1982)
-def test_coefficients_of_1982(name):
-    value, digit = PRINTED_1982[name]
-    assert example_1982().coefficients[name] == pytest.approx(value, rel=0.0, abs=digit + 1e-12)
-
-
 def test_resistance_of_1982():
-    result = example_1982()
+    """Without the roundings by which the paper goes on; with them test_holtrop_example."""
+    result = example()
     assert result.froude == pytest.approx(0.2868, abs=0.00005)
     for name, printed, digits in (
         ("friction", 869.63, 0.02),
