@@ -65,8 +65,8 @@ def holtrop(
 
     ship: HoltropShip. edition: 1984 or 1982. viscosity: kinematic, m²/s; None: that of water of the
     density. roughness: of the hull, m; 150 µm is that of new ships, which the correlation allowance
-    has. propeller: Propeller, for wake and thrust deduction. readings: a dict of coefficients by the
-    papers' names, as "1+k1" of a model test, each in place of its formula's at all speeds.
+    has. propeller: Propeller, for wake and thrust deduction. readings: a dict of coefficients by
+    the papers' names, as "1+k1" of a model test, in place of their formulas' at all speeds.
     ValueError for what is no number above zero, for readings of coefficients that are not in use,
     and for forms at which a formula has no value.
     """
