@@ -45,7 +45,7 @@ def test_chines_and_sections(window):
         show_panels(window, "hull")
         for name, text in (("length_pp", "4"), ("beam", "1.8"), ("draft", "0.3")):
             yield from type_in(window, name, text)
-        show_panels(window, "lines")
+        show_panels(window, "sections")
         look(window, "sections")
         yield
     finally:
