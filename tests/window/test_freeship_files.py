@@ -9,12 +9,11 @@ HULL_PICTURES=FOLDER keeps a picture of the window at each step.
 import tempfile
 from pathlib import Path
 
-import bmesh
 import bpy
 import numpy as np
 from addon_under_test import hull_io, part, state_of
 from chine_boats import carlson, curves
-from editing import bilge_point, hull_at_hand, select
+from editing import bilge_point, hull_at_hand, select, selected_indices
 from expect import assert_follows, edited_points
 from mathutils import Vector
 from menus import add_to_scene, file_menu
@@ -105,53 +104,74 @@ def test_a_named_control_curve(window):
     assert kept.name == "chine" and len(kept.edges) > 3
 
 
-def shown_followers(hull, leader, count):
-    """The points next to one that are to port of it or beside it, and are no others' ends."""
+def beside(hull, leader):
+    """The point to port that is the nearest to one, and not behind it as it is seen from port."""
     points = edited_points(hull)
-    near = np.argsort(np.linalg.norm(points - points[leader], axis=1))
-    return [int(i) for i in near if i != leader and points[i, 1] > 1.0][:count]
+    way = points - points[leader]
+    near = np.argsort(np.linalg.norm(way, axis=1))
+    return next(int(i) for i in near if abs(way[i, 0]) > 1.0 and points[i, 1] > 1.0)
 
 
-def test_points_are_anchored_by_clicks_and_dragged(window):
-    """Point › Anchor: a click on the one, with Shift on the other, F3."""
-    hull = yield from opened(window, Path(tempfile.mkdtemp()))
+def tied_by_clicks(window, hull, words):
+    """The bilge point and one beside it, which is tied to it: a click on the one, with Shift on the
+    other, and the tie by F3."""
     window.press("TAB")
     yield
-    bpy.ops.mesh.select_mode(type="VERT")
-    bpy.ops.mesh.select_all(action="DESELECT")
-    bpy.ops.ed.undo_push(message="begin")
+    window.press("ONE")
+    window.press("A", alt=True)
+    yield
     leader, place = bilge_point(hull)
-    (follower,) = shown_followers(hull, leader, 1)
-    points = edited_points(hull)
-    window.move_to_point(hull, Vector(points[follower].tolist()))
+    follower = beside(hull, leader)
+    window.move_to_point(hull, Vector(edited_points(hull)[follower].tolist()))
     window.click()
     yield
     window.move_to_point(hull, place)
     window.click(shift=True)
     yield
-    bm = bmesh.from_edit_mesh(hull.data)
-    assert [v.index for v in bm.verts if v.select] == sorted((follower, leader))
-    window.search("anchored")
+    assert selected_indices(hull) == sorted((follower, leader))
+    window.search(words)
     yield
-    assert [(kind, point, to) for kind, point, to, _ in ties(hull)] == [
-        ("ANCHOR", follower, (leader,))
-    ]
-    look(window, "anchored")
-    bpy.ops.mesh.select_all(action="DESELECT")
-    bpy.ops.ed.undo_push(message="deselect")
+    look(window, words)
     yield
-    window.move_to_point(hull, place)
+    return leader, follower
+
+
+def dragged(window, hull, leader):
+    """A click on a point, G and the mouse: how far the points of the hull moved."""
+    points = edited_points(hull)
+    window.press("A", alt=True)
+    window.move_to_point(hull, Vector(points[leader].tolist()))
     window.click()
+    yield
     window.press("G")
     window.move_by(14, 20)
     window.click()
     yield
+    assert_follows(hull)
+    return edited_points(hull) - points
+
+
+def test_points_are_anchored_by_clicks_and_dragged(window):
+    """Point › Anchor."""
+    hull = yield from opened(window, Path(tempfile.mkdtemp()))
+    leader, follower = yield from tied_by_clicks(window, hull, "anchored")
+    assert [each[:3] for each in ties(hull)] == [("ANCHOR", follower, (leader,))]
+    moved = yield from dragged(window, hull, leader)
     look(window, "dragged")
     yield
-    moved = edited_points(hull) - points
     assert np.abs(moved[leader]).max() > 0.01
     assert np.abs(moved[follower] - moved[leader]).max() < 1e-5
-    assert_follows(hull)
+
+
+def test_points_are_levelled_by_clicks_and_dragged(window):
+    """Besides Anchor there is Level: they are equally high, and else where they were."""
+    hull = yield from opened(window, Path(tempfile.mkdtemp()))
+    leader, follower = yield from tied_by_clicks(window, hull, "tie level")
+    assert [each[:3] for each in ties(hull)] == [("LEVEL", follower, (leader,))]
+    moved = yield from dragged(window, hull, leader)
+    assert abs(moved[leader, 2]) > 0.01 and abs(moved[leader, 0]) > 0.01
+    assert abs(moved[follower, 2] - moved[leader, 2]) < 1e-5
+    assert np.abs(moved[follower, :2]).max() < 1e-5
 
 
 def test_savitsky_of_a_planing_boat(window):

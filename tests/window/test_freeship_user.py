@@ -77,8 +77,9 @@ def test_from_file_to_file(window):
     window.press("TAB")
     yield
     assert hull.mode == "EDIT"
-    bpy.ops.mesh.select_mode(type="EDGE")
-    bpy.ops.mesh.select_all(action="DESELECT")
+    window.press("TWO")
+    window.press("A", alt=True)
+    yield
     edges = smooth_edges_within(hull, 2)
     select(hull, *edges, kind="edges")
     yield
@@ -86,8 +87,9 @@ def test_from_file_to_file(window):
     yield
     assert (crease_values(hull)[edges] == 1.0).all()
     # Point › Linear constraint: Tie Points, On a Line.
-    bpy.ops.mesh.select_mode(type="VERT")
-    bpy.ops.mesh.select_all(action="DESELECT")
+    window.press("ONE")
+    window.press("A", alt=True)
+    yield
     points = edited_points(hull)
     free = np.flatnonzero(points[:, 1] > 1.0)
     middle = free[np.argmin(np.abs(points[free, 0] - np.median(points[free, 0])))]
