@@ -82,6 +82,7 @@ def _not_kept(data):
         ("points kept in planes", data.kept != Kept()),
         ("tied points", data.ties),
         ("groups of points", data.groups),
+        ("names of control curves", data.curves),
         ("load cases", data.load_cases),
         ("the load", _is_given(data.load)),
         ("trim and heel", data.afloat != Afloat()),

@@ -137,7 +137,10 @@ def _about_dimensions(particulars, half, found, waterline):
 
 
 def _about_keel(found):
-    if abs(found.keel) <= ON_BASE_LINE * (found.high[2] - found.low[2]):
+    near = ON_BASE_LINE * (found.high[2] - found.low[2])
+    # A keel that rises from an end, as a raked one, is on the base line by its lowest point.
+    rises_from_it = found.keel > 0.0 and abs(found.low[2]) <= near
+    if abs(found.keel) <= near or rises_from_it:
         return []
     where = "below" if found.keel < 0.0 else "above"
     return [

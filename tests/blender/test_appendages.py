@@ -276,6 +276,28 @@ def test_step_file(box, tmp_path):
     assert report["volume"] == pytest.approx(120.0 - math.pi * RADIUS**2 * 4.0, rel=1e-8)
 
 
+def test_step_file_of_a_sample_with_fin_keel_and_rudder(tmp_path):
+    """One valid solid with the volume of all that is joined, which is more than the hull's."""
+    hull = sample("planing_boat")
+    up, far = (0.0, 0.0, 1.0), 100.0
+
+    def whole():
+        bpy.context.view_layer.update()
+        return part("features.hull.hull_state").state_of(hull).ship.body.immersion(up, far).volume
+
+    alone = whole()
+    for kind in ("FIN_KEEL", "RUDDER"):
+        add(hull, kind)
+    hull.hull.export.extent = "SOLID"
+    make_active(hull)
+    path = tmp_path / "boat.step"
+    assert bpy.ops.hull.export_step(filepath=str(path)) == {"FINISHED"}
+    report = part("bridge.native").require().read_cad_report(str(path))
+    assert report["valid"] and report["closed"] and report["solids"] == 1
+    assert report["volume"] == pytest.approx(whole(), rel=1e-7)
+    assert whole() > alone * (1.0 + 1e-4)
+
+
 def test_appendages_wait_while_points_are_dragged(box):
     """Each step has the hull alone, and says so; at a pause all count again. Steps that move
     nothing leave them joined."""

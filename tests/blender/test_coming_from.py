@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""docs/coming-from.md: every command of FREE!ship's menus is on it; what it sends one to stands in
+"""docs/coming-from.md: every command of FREE!ship's menus is on it, and what it says that it covers
+of DELFTship and Rhino; what it sends one to stands in
 the panels and in the mode that it says, and can be called there; and Blender's own tools that it
 names leave a hull that follows."""
 
@@ -10,6 +11,7 @@ import bmesh
 import bpy
 import pytest
 from addon_under_test import add_hull, make_active, part, sample, state_of
+from commands_elsewhere import DELFTSHIP, RHINO
 from edited_hulls import edit
 from freeship_commands import COMMANDS
 from test_docs import DOCS, LabelNotebook, page_of
@@ -113,6 +115,30 @@ def test_every_command_of_freeship_is_on_the_page():
     ]
     assert not missing
     assert sum(map(len, COMMANDS.values())) > 120
+
+
+def rows_below(heading):
+    """The left cells of the tables below a heading of the page, up to the next."""
+    text = PAGE.read_text().partition(f"\n{heading}\n")[2]
+    lines = re.split(r"\n#+ ", text)[0].splitlines()
+    cells = [line.strip("|").split(" | ")[0].strip() for line in lines if line[:1] == "|"]
+    return [cell for cell in cells if cell not in ("there", "---|---")]
+
+
+def test_what_delftship_has_beyond_freeship_is_on_the_page():
+    """That, and nothing else."""
+    found = [name for cell in rows_below("### Of DELFTship alone") for name in cell.split(", ")]
+    assert sorted(found) == sorted(DELFTSHIP)
+    known = {caption.lower() for captions in COMMANDS.values() for caption in captions}
+    assert not known & {name.lower() for name in DELFTSHIP}
+
+
+def test_rhinos_commands_for_hulls_are_on_the_page():
+    """Those of the list, and nothing else; Rhino's are in bold."""
+    cells = rows_below("## Rhino (and Orca3D)")
+    found = [name for cell in cells for name in re.findall(r"\*\*(\w+)\*\*", cell)]
+    assert sorted(found) == sorted(name for names in RHINO.values() for name in names)
+    assert len(found) > 80
 
 
 def is_on(label, said):

@@ -111,8 +111,19 @@ def test_imperial_scenes_read_their_own_files_back(tmp_path, scale):
     assert header["P"] == "F"
     bpy.ops.hull.export_sections(filepath=str(tmp_path / "coaster.txt"))
     _, own = read_section_text((tmp_path / "coaster.txt").read_text())
-    assert len(own) == len(feet) == len(metric)
-    for sections in (feet, own):  # of feet the reader makes metres
+    bpy.ops.hull.export_sections(filepath=str(tmp_path / "coaster.hll"))
+    root, both_sides = read_archimedes((tmp_path / "coaster.hll").read_text())
+    wanted = hull.hull.draft * scale
+    assert float(root.find("MID_DRAUGHT_MARK").text) == pytest.approx(wanted, abs=1e-5)
+    assert len(own) == len(feet) == len(both_sides) == len(metric)
+    for (_, one), (_, other) in zip(both_sides, own):
+        np.testing.assert_allclose(one[-len(other) :], other[:, :2], atol=1.1e-5)
+    bpy.ops.hull.export_sections(filepath=str(tmp_path / "coaster.mlt"))
+    _, _, values = read_michlet((tmp_path / "coaster.mlt").read_bytes().decode())
+    metres = state_of(hull).hydrostatics.values
+    for value, known in zip(values, (metres.displaced_volume, metres.waterline_length)):
+        assert float(value) == pytest.approx(known, rel=1e-4)
+    for sections in (feet, own, both_sides):  # of feet the reader makes metres
         found = sorted(x for x, _ in sections)
         wanted = sorted(x * scale for x, _ in metric)
         np.testing.assert_allclose(found, wanted, atol=2e-5 * 90.0 * scale)
@@ -157,6 +168,41 @@ def test_sections_of_a_box(box, tmp_path):
     _, offsets, values = read_michlet((tmp_path / "box.mlt").read_bytes().decode())
     assert offsets.shape == (81, 41) and (offsets[1:-1, 1:] == 2.0).all()
     assert [float(value) for value in values[:3]] == pytest.approx([80.0, 10.0, 2.0])
+
+
+@pytest.mark.parametrize("name", ["coaster", "naval_vessel"])
+def test_michlet_files_of_samples_read_back(name, tmp_path):
+    """Half-breadths as rays from abeam find them, and with them the volume of the hydrostatics."""
+    hull = sample(name)
+    path = tmp_path / f"{name}.mlt"
+    assert bpy.ops.hull.export_sections(filepath=str(path)) == {"FINISHED"}
+    _, offsets, values = read_michlet(path.read_bytes().decode())
+    native, ship = part("bridge.native").require(), state_of(hull).ship
+    water = native.hydrostatics(ship.body, draft=hull.hull.draft)
+    volume, length, draft = (float(value) for value in values[:3])
+    assert volume == pytest.approx(water.displaced_volume, rel=1e-4)
+    assert length == pytest.approx(water.waterline_length, abs=1e-4)
+    x = np.linspace(water.waterline_forward, water.waterline_aft, 81)
+    z = hull.hull.draft - water.immersed_draft * np.linspace(1.0, 0.0, 41)
+    abeam = np.stack(np.broadcast_arrays(x[:, None], 1e3, z), axis=-1).reshape(-1, 3)
+    hits = native.SurfaceTree(ship.surface).ray_hits(
+        abeam, np.tile([0.0, -1.0, 0.0], (len(abeam), 1))
+    )
+    found = np.nan_to_num(hits.points[:, 1]).reshape(offsets.shape)
+    # Within the ends and above the keel; points of a station are at a height where they are within
+    # SAME_POSITION of it, so offsets are that far from the surface, and more along z where it lies
+    # flat.
+    inner = (slice(1, -1), slice(1, -1))
+    places = np.stack(np.broadcast_arrays(x[:, None], offsets, z), axis=-1)[inner]
+    wet = places[..., 1] > 0.0
+    tree, size = native.SurfaceTree(ship.surface), np.linalg.norm(np.ptp(mesh_points(hull), axis=0))
+    assert tree.closest_points(places[wet]).distances.max() < 1e-6 * size + 0.5e-5
+    assert np.abs(offsets - found)[inner].max() < 2e-3 and wet.sum() > 1900
+    weights = [np.where(np.arange(n) % 2, 4, 2) / 3.0 for n in offsets.shape]
+    for each, size in zip(weights, (length / 80, draft / 40)):
+        each[[0, -1]] = 1.0 / 3.0
+        each *= size
+    assert 2.0 * weights[0] @ offsets @ weights[1] == pytest.approx(volume, rel=0.01)
 
 
 def test_an_ending_is_added(box, tmp_path):

@@ -6,7 +6,7 @@ import bmesh
 import bpy
 import numpy as np
 import pytest
-from addon_under_test import make_active, part, sample, state_of
+from addon_under_test import part, sample, state_of
 from edited_hulls import at, edit, grid_hull
 from test_centre_keeping import move, points
 from tied_hulls import SINGLE, misses, stored_misses, tie, ties
@@ -230,49 +230,6 @@ def test_extruded_and_divided_points_are_free(hull):
     bpy.context.view_layer.update()
     assert sorted(stored(hull)) == [at(5, 3), at(5, 4)]
     assert max(misses(hull).values()) <= 1e-12
-
-
-def test_they_survive_copying_saving_and_undo(hull, tmp_path):
-    bpy.ops.object.mode_set(mode="OBJECT")
-    tie(hull, "LINE", [at(2, 2), at(3, 2)], at(1, 2), at(4, 2))
-    tie(hull, "ANCHOR", [at(5, 4)], at(5, 3))
-    tie(hull, "LEVEL", [at(2, 4)], at(3, 4))
-    tie(hull, "CAMBER", [at(0, 4)], at(1, 4), share=0.03)
-    before, name = ties().stored_ties(hull.data), hull.name
-    bpy.ops.object.duplicate()
-    copy = bpy.context.object
-    assert copy != hull and ties().stored_ties(copy.data) == before
-    path = str(tmp_path / "tied.hull.json")
-    assert bpy.ops.hull.export_hull(filepath=path) == {"FINISHED"}
-    assert bpy.ops.hull.import_hull(filepath=path) == {"FINISHED"}
-    again = bpy.context.object
-    for found, wanted in zip(sorted(ties().stored_ties(again.data)), sorted(before)):
-        assert found[:3] == wanted[:3] and found[3] == pytest.approx(wanted[3], abs=1e-6)
-    assert len(stored(again)) == len(before)
-    assert np.array_equal(points(again), points(copy))
-    assert max(misses(again).values()) <= 1e-12
-    blend = str(tmp_path / "tied.blend")
-    bpy.ops.wm.save_as_mainfile(filepath=blend)
-    bpy.ops.wm.open_mainfile(filepath=blend)
-    hull = bpy.data.objects[name]
-    assert ties().stored_ties(hull.data) == before
-    make_active(hull)
-    edit(hull)
-    bpy.ops.ed.undo_push(message="before")
-    there = points(hull)
-    select_points(hull, [at(4, 2), at(5, 3)])
-    bpy.ops.ed.undo_push(message="selected")
-    bpy.ops.transform.translate(value=(0.0, 0.5, 0.25))
-    bpy.context.view_layer.update()
-    bpy.ops.ed.undo_push(message="moved")
-    moved = points(hull)
-    assert moved[at(5, 4), 1] == pytest.approx(there[at(5, 4), 1] + 0.5)
-    bpy.ops.ed.undo()
-    hull = bpy.data.objects[name]
-    assert np.array_equal(points(hull), there) and ties().stored_ties(hull.data) == before
-    bpy.ops.ed.redo()
-    hull = bpy.data.objects[name]
-    assert np.array_equal(points(hull), moved)
 
 
 def test_ties_of_both_sides(hull):

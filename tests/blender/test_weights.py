@@ -176,3 +176,24 @@ def test_wind_area_of_a_barge_is_its_freeboard(box):
     weather = result_of(box, "criteria").weather
     assert weather.wind_area == pytest.approx(10.0, rel=1e-9)
     assert weather.wind_lever == pytest.approx(2.5 - 1.0, rel=1e-9)
+
+
+def test_entered_wind_areas_count_in_a_load_cases_weather_criterion(box):
+    """The case floats at 1 m: 20 m² of freeboard, and a house of 12 m² with its centre at 4 m."""
+    bpy.ops.hull.add_load_case()
+    loading = box.hull.loading
+    case = loading.load_cases[0]
+    case.name, case.mass_t, case.lcg, case.tcg, case.vcg = "light", 41.0, 5.0, 0.0, 1.0
+    loading.loaded, loading.loaded_case = "CASE", "light"
+    box.hull.wind.source = "HULL"
+    alone = result_of(box, "criteria").weather
+    assert alone.wind_area == pytest.approx(20.0, rel=1e-6)
+    assert bpy.ops.hull.add_wind_area() == {"FINISHED"}
+    house = box.hull.wind.areas[0]
+    house.area, house.z = 12.0, 4.0
+    weather = result_of(box, "criteria").weather
+    assert weather.wind_area == pytest.approx(32.0, rel=1e-6)
+    centre = (20.0 * 2.0 + 12.0 * 4.0) / 32.0
+    assert weather.wind_lever == pytest.approx(centre - 0.5, rel=1e-6)
+    share = weather.wind_area * weather.wind_lever / (alone.wind_area * alone.wind_lever)
+    assert weather.steady_lever == pytest.approx(share * alone.steady_lever, rel=1e-6)

@@ -3,6 +3,8 @@
 over its section of the straight lines from root to tip, and each line ends where a ray along it
 meets the hull."""
 
+import itertools
+
 import hull_native as hn
 import numpy as np
 
@@ -75,6 +77,60 @@ class SymmetricFoil:
             root, tip = self.root + self.chords[0] * flat, self.tip + self.chords[1] * flat
             ends = _only_crossings(tree, root, tip).reshape(len(x), len(eta))
             total += (own * y * slope) @ self._squares(ends) @ weights
+        return self.height * total
+
+    def outside_area(self, surface, is_half, pieces=3, along=6):
+        """m² of both sides and the tip outside a hull that holds the root, which each line of the
+        sides leaves once. For a section whose trailing edge is sharp.
+
+        A side is the lines from root to tip of its outline, P(t, s), with dA = |Pt × Ps| dt ds.
+        """
+        tree, total = hn.SurfaceTree(surface), 0.0
+        nodes = ((np.arange(along)[:, None] + 0.5 * (_RULE + 1.0)) / along).ravel()
+        weights = np.tile(0.5 * _WEIGHTS / along, along)
+        nets = list(zip(self._outline(pieces), self._rises(pieces)))
+        for side, ((x, y, slope, own), rise) in itertools.product(
+            (1.0,) if is_half else (-1.0, 1.0), nets
+        ):
+            flat = np.stack([-x, side * y, 0.0 * x], -1)
+            turn = np.stack([slope, side * rise, 0.0 * x], -1)  # of flat by t
+            root, tip = (end + c * flat for end, c in zip((self.root, self.tip), self.chords))
+            begin = _only_crossings(tree, root, tip)[:, None]
+            s = begin + (1.0 - begin) * nodes
+            chord = self.chords[0] + s * (self.chords[1] - self.chords[0])
+            across = chord[..., None] * turn[:, None]
+            faces = np.linalg.norm(np.cross(across, (tip - root)[:, None]), axis=-1)
+            total += (2.0 if is_half else 1.0) * own @ ((1.0 - begin) * faces) @ weights
+        area = 2.0 * sum(np.dot(y * slope, w) for _, y, slope, w in self._outline(1))
+        return total + area * self.chords[1] ** 2
+
+    def _rises(self, pieces):
+        """dy/dt at the nodes of _outline()."""
+        t = ((np.arange(pieces)[:, None] + 0.5 * (_RULE + 1.0)) / pieces).ravel()
+        s = 1.0 - t
+        for p in self.parts:
+            steps = 3.0 * np.diff(p[:, 1])
+            yield s * s * steps[0] + 2.0 * s * t * steps[1] + t * t * steps[2]
+
+    def covered_area(self, surface, is_half, pieces=3, across=16):
+        """m² of a hull's surface within the foil, of both sides: where the lines x, η of
+        share_within() cross it, with n · P_s dA = h c² y dx dη of the volume they sweep."""
+        tree, total = hn.SurfaceTree(surface), 0.0
+        begin = 0.0 if is_half else -1.0
+        size = (1.0 - begin) / across
+        eta = (begin + size * (np.arange(across)[:, None] + 0.5 * (_RULE + 1.0))).ravel()
+        weights = np.tile(0.5 * size * _WEIGHTS, across) * (2.0 if is_half else 1.0)
+        for x, y, slope, own in self._outline(pieces):
+            side = np.outer(y, eta).ravel()
+            flat = np.stack([-np.repeat(x, len(eta)), side, 0.0 * side], -1)
+            root, tip = self.root + self.chords[0] * flat, self.tip + self.chords[1] * flat
+            hits = tree.ray_hits(root, tip - root)
+            s = hits.distances / np.linalg.norm(tip - root, axis=1)
+            normals = surface.normals(hits.cells, hits.uv)
+            steep = np.abs(np.einsum("ij,ij->i", normals, tip - root))
+            chord = self.chords[0] + s * (self.chords[1] - self.chords[0])
+            pieces_of = (chord**2 / steep).reshape(len(x), len(eta))
+            total += (own * y * slope) @ pieces_of @ weights
         return self.height * total
 
 

@@ -11,6 +11,7 @@ from pathlib import Path
 import hull_native as hn
 import pytest
 from test_appendages import BEAM, DEPTH, LENGTH, RADIUS, TUNNEL, boxes, whole_volume
+from test_union_volumes import fin_of
 from transformation_hulls import Sample
 
 FREECAD = shutil.which("freecadcmd") or shutil.which("FreeCADCmd")
@@ -92,6 +93,22 @@ def test_coaster(tmp_path):
     assert report["volume"] == pytest.approx(exact, rel=1e-8)
     names = {region["name"] for region in report["regions"]}
     assert {"tunnel", "skeg", "shell"} <= names
+
+
+def test_sample_with_fin_keel_and_rudder(tmp_path):
+    """The planing boat, read back from the file."""
+    sample = Sample("planing_boat")
+    sample.name = "planing_boat"
+    fins = [fin_of(sample, name).body(name=name) for name in ("keel", "rudder")]
+    path = tmp_path / "boat.step"
+    patches = hn.exact_patches(sample.surface, tolerance=1e-8)
+    hn.write_step(patches, path, mirrored=True, solid=True, appendages=fins)
+    report = hn.read_cad_report(str(path))
+    exact = joined_volume(sample.surface, sample.half, fins)
+    assert report["valid"] and report["closed"] and report["solids"] == 1
+    assert report["volume"] == pytest.approx(exact, rel=1e-8)
+    assert exact > joined_volume(sample.surface, sample.half, []) * (1.0 + 1e-4)
+    assert {"keel", "rudder", "shell"} <= {region["name"] for region in report["regions"]}
 
 
 @pytest.mark.skipif(FREECAD is None, reason="FreeCAD is not installed")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Savitsky's method against the worked example of his paper (1964, Table 1)."""
+"""Savitsky's method against another program, its own equations, and from exact hulls."""
 
 import dataclasses
 import math
@@ -7,76 +7,8 @@ import math
 import hull_native as hn
 import numpy as np
 import pytest
+from test_planing_example import BOAT, SPEED, WATER
 from transformation_hulls import Sample
-
-FOOT, POUND = 0.3048, 0.45359237e-3  # m, t
-POUND_FORCE = hn.GRAVITY * POUND  # kN
-SPEED = 67.5 * FOOT
-BOAT = hn.PlaningBoat(
-    mass_t=60000.0 * POUND,
-    beam=14.0 * FOOT,
-    deadrise_deg=10.0,
-    lcg=29.0 * FOOT,
-    vcg=2.0 * FOOT,
-    thrust_angle_deg=4.0,
-    thrust_arm=0.5 * FOOT,
-)
-# As the table's own numbers have them: ρ/2 = 0.97 slug/ft³, Rn of Vm, λ and b.
-WATER = {"water_density": 1.94 * 515.378818e-3, "viscosity": 1e-5 * FOOT**2}
-
-# τ, then as printed: λ, Vm, CF with the allowance, Df, D, c. Most of it the paper reads off its
-# charts, and Df has ρ = 2.0: λ within 1.5 % (4° is off its own formula by 5 %), Df and D by that.
-TABLE = [
-    (2.0, 3.85, 67.0, 0.00214, 7340.0, 9434.0, -2.6),
-    (3.0, 2.60, 66.6, 0.00224, 5160.0, 8304.0, 5.5),
-    (4.0, 1.86, 66.2, 0.00232, 3760.0, 7948.0, 10.8),
-]
-
-
-def test_table_of_the_paper():
-    found = hn.planing_at_trims(BOAT, SPEED, [row[0] for row in TABLE], **WATER)
-    for (result, _), (trim, ratio, speed, friction, df, total, arm) in zip(found, TABLE):
-        loose = 0.05 if trim == 4.0 else 0.015
-        assert result.speed_coefficient == pytest.approx(3.18, abs=0.005)
-        assert result.lift_coefficient == pytest.approx(0.069, abs=0.0005)
-        assert result.flat_lift_coefficient == pytest.approx(0.085, abs=0.0015)
-        assert result.wetted_length_ratio == pytest.approx(ratio, rel=loose)
-        assert result.bottom_speed / FOOT == pytest.approx(speed, abs=0.25)
-        assert result.friction_coefficient == pytest.approx(friction, abs=0.000015)
-        assert result.friction / POUND_FORCE == pytest.approx(df * 1.94 / 2.0, rel=loose + 0.01)
-        assert result.total / POUND_FORCE == pytest.approx(total, rel=0.03)
-        assert result.pressure_arm / FOOT == pytest.approx(arm, abs=0.9)
-    assert found[0][1] < 0.0 < found[1][1] < found[2][1]
-
-
-def test_each_item_of_the_table_follows_from_those_above_it():
-    """With λ and Vm as the paper read them off its charts all else is as printed: within half a
-    unit of the last digit and what the rounding of λ, Vm and CF leaves open. Its Df has ρ = 2.0
-    slug/ft³, and its D takes cos τ for 1."""
-    readings = [
-        {"wetted_length_ratio": row[1], "bottom_speed": row[2] * FOOT,
-         "pressure_place": (29.0 - row[6]) / (row[1] * 14.0)} for row in TABLE
-    ]  # fmt: skip
-    trims = [row[0] for row in TABLE]
-    dense = {**WATER, "water_density": 2.0 * 515.378818e-3}
-    found = hn.planing_at_trims(BOAT, SPEED, trims, readings=readings, **dense)
-    moments = []
-    for (result, moment), (trim, ratio, speed, friction, df, total, arm) in zip(found, TABLE):
-        assert result.wetted_length_ratio == ratio
-        assert result.friction_coefficient == pytest.approx(friction, abs=5e-6 + 1e-6)
-        rounding = 0.005 / ratio + 2.0 * 0.05 / speed + 5e-6 / friction
-        assert result.friction / POUND_FORCE == pytest.approx(df, abs=5.0 + rounding * df)
-        level = math.cos(math.radians(trim))
-        flat = result.pressure + result.friction
-        assert flat / POUND_FORCE == pytest.approx(total, abs=5.0 + rounding * df + 8.0)
-        assert result.total == pytest.approx(result.pressure + result.friction / level, rel=1e-14)
-        assert result.pressure_arm / FOOT == pytest.approx(arm, abs=1e-12)
-        moments.append(moment)
-    # The paper interpolates: the moment is none at 2.3°, where the drag is 9,095 lb or so.
-    trim = np.interp(0.0, moments, trims)
-    assert trim == pytest.approx(2.3, abs=0.05)
-    drag = np.interp(trim, trims, [result.total / POUND_FORCE for result, _ in found])
-    assert drag == pytest.approx(9095.0, rel=0.005)
 
 
 def test_readings_are_checked():
@@ -86,16 +18,6 @@ def test_readings_are_checked():
         hn.planing_at_trims(BOAT, SPEED, [2.0], readings=[{"lambda": 3.0}], **WATER)
     with pytest.raises(ValueError, match="bottom_speed must be a number above zero"):
         hn.planing_at_trims(BOAT, SPEED, [2.0], readings=[{"bottom_speed": 0.0}], **WATER)
-
-
-def test_equilibrium_of_the_paper():
-    result = hn.savitsky(BOAT, [SPEED], **WATER)[0]
-    assert result.trim_deg == pytest.approx(2.3, abs=0.05)
-    assert result.total / POUND_FORCE == pytest.approx(9095.0, rel=0.03)
-    assert result.keel_draft / FOOT == pytest.approx(2.24, abs=0.06)
-    assert result.outside == ()
-    moment = hn.planing_at_trims(BOAT, SPEED, [result.trim_deg], **WATER)[0][1]
-    assert abs(moment) < 1e-9 * BOAT.mass_t * hn.GRAVITY * BOAT.lcg
 
 
 def test_lift_and_centre_of_pressure_are_those_of_another_program():

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Hulls with a keel, a skeg and a rudder: the volume of the union by inclusion and exclusion, what
-hull and foil share by rays along the foil's straight lines."""
+"""Hulls with a keel, a skeg and a rudder: volume and wetted surface of the union by inclusion and
+exclusion, what hull and foil share by rays along the foil's straight lines."""
 
 import hull_native as hn
 import numpy as np
@@ -67,3 +67,26 @@ def test_union(sample, name):
     assert 0.0 < shared < foil.volume
     assert foil.body().volume == pytest.approx(foil.volume, rel=1e-12)
     assert added + shared == pytest.approx(foil.volume, rel=1e-9)
+
+
+def wetted_by(sample, bodies):
+    """m² of all of the hull and what is joined to it."""
+    body = hn.HullBody(sample.surface, mirrored=sample.half)
+    body.join(bodies)
+    points = sample.mesh.points
+    level = points[:, 2].max() + np.ptp(points[:, 0])
+    return body.immersion((0.0, 0.0, 1.0), level).wetted_surface
+
+
+def test_wetted_surface_of_the_union(sample):
+    """On round bottoms, a keel's sides and tip outside the hull less what it covers of that: to
+    1e-9 of what it adds."""
+    keel = fin_of(sample, "keel")
+    is_beside = keel.root[1] != 0.0
+    bodies = 2 if is_beside and sample.half else 1
+    is_half = sample.half and not is_beside
+    covered = keel.covered_area(sample.surface, is_half)
+    outside = keel.outside_area(sample.surface, is_half)
+    added = wetted_by(sample, [keel.body(mirrored=bodies == 2)]) - wetted_by(sample, [])
+    assert 0.0 < covered < 0.2 * outside
+    assert added / bodies == pytest.approx(outside - covered, rel=1e-9)

@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Michell's wave resistance as a target: the coaster's is lowered at one speed while displacement,
-length, beam and draft stay, as fair as it was; its derivatives by the moves agree with
+length, beam and draft stay, by 5 % as fair as it was; its derivatives by the moves agree with
 differences."""
 
 import hull_native as hn
 import numpy as np
 import pytest
+from hull_fairness import changes, lines
 from transformation_hulls import Sample
 
 SPEED = 6.5  # m/s: Fn 0.23
@@ -73,7 +74,14 @@ def limits_of(sample):
     }
 
 
-def test_it_is_lowered_at_kept_displacement_and_dimensions(coaster):
+@pytest.fixture(scope="module")
+def known(coaster):
+    return changes.Known(coaster.surface, coaster.ship.beam)
+
+
+@pytest.mark.parametrize("share", [0.95, 0.9])
+def test_it_is_lowered_at_kept_displacement_and_dimensions(coaster, known, share):
+    """By 5 % no more marks are new than are gone; 10 % cost a few: 16 new and 13 gone."""
     integral, body = integral_of(coaster.surface, coaster)
     before = integral.resistance([SPEED])[0]
     now = hn.hydrostatics(body, **coaster.where())
@@ -81,14 +89,14 @@ def test_it_is_lowered_at_kept_displacement_and_dimensions(coaster):
     targets = [
         hn.FormTarget("displaced_volume", now.displaced_volume),
         hn.FormTarget("waterline_length", now.waterline_length),
-        hn.FormTarget("wave_resistance", 0.9 * before.resistance, speed=SPEED, sense="at most"),
+        hn.FormTarget("wave_resistance", share * before.resistance, speed=SPEED, sense="at most"),
     ]
     reached, _ = hn.reach_within_breadth(
         coaster.surface, targets, mirrored=coaster.half, **coaster.where(), **limits_of(coaster)
     )
     assert reached.status == "met"
     assert reached.before[2] == pytest.approx(before.resistance, rel=1e-8)
-    assert reached.reached[2] <= 0.9 * before.resistance * (1.0 + 1e-6)
+    assert reached.reached[2] <= share * before.resistance * (1.0 + 1e-6)
     surface = moved(coaster, np.asarray(reached.moves))
     after, changed = integral_of(surface, coaster)
     lowered = after.resistance_to(SPEED, before.shortest).resistance
@@ -100,6 +108,9 @@ def test_it_is_lowered_at_kept_displacement_and_dimensions(coaster):
     assert hn.half_breadth(surface) == pytest.approx(breadth, rel=1e-6)
     print(before.resistance, lowered, reached.iterations, reached.rms)
     assert 0.0 < reached.rms < 0.001 * coaster.ship.length_pp
+    marks = known.compared(lines.judged(surface, coaster.ship.beam), surface)
+    print(len(marks.new), "marks are new,", len(marks.gone), "gone")
+    assert len(marks.new) <= len(marks.gone) + (0 if share > 0.9 else 3)
 
 
 def test_with_free_dimensions(coaster):

@@ -17,10 +17,12 @@ import numpy as np
 from addon_under_test import hull_io, part, state_of
 from editing import hull_at_hand, select, selected_indices
 from expect import assert_follows, edited_points
+from menus import add_to_scene, file_menu
 from sidebar import BESIDE_LIST, choose, press, show_all_panels, show_panels, to, type_in
 from test_tags import LEFT, crease_values, smooth_edges_within
 from window import FROM_PORT
 
+IMPORT_HULL = "Ship hull (.fbm, .ftm, .hull.json, .hul)"
 _BELOW_THE_LIST = 85  # of the panel Appendages with one body, in dots
 _TURNS_OF_THE_WHEEL = 20
 
@@ -44,11 +46,10 @@ def ties(hull):
 
 
 def opened(window, folder):
-    """File › Open: Import Hull; the hull, seen from port."""
+    """File › Import › Ship hull; the hull, seen from port."""
     path = model_of_freeship(folder)
     bpy.context.preferences.view.filebrowser_display_type = "SCREEN"
-    with window.in_view():
-        bpy.ops.hull.import_hull("INVOKE_DEFAULT", filepath=str(path))
+    yield from file_menu(window, "Import", IMPORT_HULL)
     yield from window.accept_file(path)
     yield lambda: hull_at_hand() is not None and part("bridge.objects.hull_objects").is_hull(
         hull_at_hand()
@@ -57,6 +58,14 @@ def opened(window, folder):
     window.look(hull_at_hand(), FROM_PORT)
     yield
     return hull_at_hand()
+
+
+def saved(window, path):
+    """File › Export › FREE!ship hull; what is read of the file."""
+    yield from file_menu(window, "Export", "FREE!ship hull (.fbm)")
+    yield from window.accept_file(path)
+    yield path.exists
+    return hull_io().read_hull(path)
 
 
 def test_from_file_to_file(window):
@@ -68,8 +77,9 @@ def test_from_file_to_file(window):
     window.press("TAB")
     yield
     assert hull.mode == "EDIT"
-    bpy.ops.mesh.select_mode(type="EDGE")
-    bpy.ops.mesh.select_all(action="DESELECT")
+    window.press("TWO")
+    window.press("A", alt=True)
+    yield
     edges = smooth_edges_within(hull, 2)
     select(hull, *edges, kind="edges")
     yield
@@ -77,8 +87,9 @@ def test_from_file_to_file(window):
     yield
     assert (crease_values(hull)[edges] == 1.0).all()
     # Point › Linear constraint: Tie Points, On a Line.
-    bpy.ops.mesh.select_mode(type="VERT")
-    bpy.ops.mesh.select_all(action="DESELECT")
+    window.press("ONE")
+    window.press("A", alt=True)
+    yield
     points = edited_points(hull)
     free = np.flatnonzero(points[:, 1] > 1.0)
     middle = free[np.argmin(np.abs(points[free, 0] - np.median(points[free, 0])))]
@@ -94,8 +105,7 @@ def test_from_file_to_file(window):
     yield
     # Tools › Keel and rudder wizard.
     before = state_of(hull).hydrostatics.values.displaced_volume
-    window.search("fin keel")
-    yield
+    yield from add_to_scene(window, "hull.add_appendage", "FIN_KEEL")
     yield
     look(window, "keel")
     (keel,) = part("bridge.objects.appendages").of_hull(hull)
@@ -121,12 +131,7 @@ def test_from_file_to_file(window):
     show_all_panels()
     yield
     # File › Save: Export FREE!ship.
-    back = folder / "back.fbm"
-    with window.in_view():
-        bpy.ops.hull.export_freeship("INVOKE_DEFAULT", filepath=str(back))
-    yield from window.accept_file(back)
-    yield back.exists
-    read = hull_io().read_hull(back)
+    read = yield from saved(window, folder / "back.fbm")
     np.testing.assert_allclose(read.points, edited_points(hull), atol=1e-5)
     assert len(read.creases) >= 2
 
@@ -238,8 +243,7 @@ def test_groups_rows_weights_and_sections(window):
         yield
         yield from written(window, "hull.export_sections", folder / "sections.gf")
         assert "HULL" in (folder / "sections.gf").read_text(errors="replace")
-        bpy.ops.hull.export_freeship(filepath=str(folder / "back.fbm"))
-        back = hull_io().read_hull(folder / "back.fbm")
+        back = yield from saved(window, folder / "back.fbm")
         assert [layer.name for layer in back.layers][-1].startswith("Layer")
     finally:
         show_all_panels()
@@ -263,13 +267,10 @@ def test_tables_of_resistance(window):
     """Delft yacht series for a yacht with her keel, Holtrop beside it."""
     folder = Path(tempfile.mkdtemp())
     bpy.context.preferences.view.filebrowser_display_type = "SCREEN"
-    with window.in_view():
-        bpy.ops.hull.add_hull(kind="CANOE_BODY")
-        bpy.ops.ed.undo_push(message="begin")
+    yield from add_to_scene(window, "hull.add_hull", "CANOE_BODY")
     hull = hull_at_hand()
     window.look(hull)
-    window.search("fin keel")
-    yield
+    yield from add_to_scene(window, "hull.add_appendage", "FIN_KEEL")
     show_panels(window, "appendages", "resistance", "resistance_remarks")
     window.open_sidebar()
     yield

@@ -26,10 +26,8 @@ class Kinds(freeship.BinaryCursor):
         return values
 
 
-@pytest.fixture(scope="module")
-def model(freeship_files):
-    """(hull_io.HullData, [indices of crease points without a crease])."""
-    path = next(path for path in freeship_files if path.name == MODEL)
+def without_crease(path):
+    """(hull_io.HullData of a file of FREE!ship, [indices of crease points without a crease])."""
     data, kinds = hull_io.read_hull(path), []
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(freeship, "BinaryCursor", Kinds)
@@ -39,6 +37,11 @@ def model(freeship_files):
     ends = Counter(point for edge in creases for point in edge)
     used = {point for face in data.faces for point in face}
     return data, [point for point in sorted(used) if kinds[point] == CREASE and not ends[point]]
+
+
+@pytest.fixture(scope="module")
+def model(freeship_files):
+    return without_crease(next(path for path in freeship_files if path.name == MODEL))
 
 
 def subdivided(data, levels, drawn):
@@ -81,6 +84,13 @@ def below(triangle, height):
         if (a[2] - height) * (b[2] - height) < 0.0:
             kept.append(a + (height - a[2]) / (b[2] - a[2]) * (b - a))
     return kept
+
+
+def test_of_twelve_models_one_has_such_points(freeship_files):
+    """As the page counts them: the binary files among the reference data."""
+    binary = [path for path in freeship_files if path.suffix == ".fbm"]
+    having = [path.name for path in binary if without_crease(path)[1]]
+    assert (len(binary), having) == (12, [MODEL])
 
 
 def test_seven_points_of_the_keel_are_tagged_without_a_crease(model):

@@ -10,6 +10,7 @@ import pytest
 from freeship_writer import binary_file, box_model, text_file
 from hull_io import freeship, mirror
 from hull_io.freeship_curves import control_curves
+from hull_io.hull_curves import ControlCurve
 from hull_io.hull_data import HullData, edge_key, face_edges
 from test_freeship_writing import SAMPLES, box, plate, written
 
@@ -215,6 +216,7 @@ def test_damaged_copies_are_refused_in_a_sentence_or_read(tmp_path):
         ({"weights": hull_io.Weights(items=[hull_io.Weight("Mast", 0.1)])}, "weights beside"),
         ({"plating": hull_io.Plating([hull_io.SeamRule("strakes", 2.0)])}, "seams of plates"),
         ({"lines": hull_io.LineChoice(diagonals="2/45")}, "diagonals"),
+        ({"curves": [ControlCurve("chine", [(0, 1)], True)]}, "names of control curves"),
     ],
 )
 def test_what_is_not_in_the_file_is_told(tmp_path, changes, words):

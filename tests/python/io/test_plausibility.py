@@ -98,6 +98,17 @@ def test_a_keel_that_is_not_on_the_base_line(keel, where):
     assert doubt.remedy == KEEL and where in doubt.message
 
 
+def test_a_keel_that_rises_from_the_base_line_is_on_it():
+    """A skiff's, whose heel is at z = 0; of one that lies higher as a whole it is told."""
+    points = np.array(
+        [(x, y, 0.02 * x**2 + y) for x in np.linspace(0, 4, 41) for y in (0.0, 0.9)]
+    )
+    skiff = Particulars(length_pp=4.0, beam=1.8, draft=0.3)
+    assert doubts(skiff, True, extents(points)) == []
+    (doubt,) = doubts(skiff, True, extents(points + (0.0, 0.0, 0.2)))
+    assert doubt.remedy == KEEL and "above the base line" in doubt.message
+
+
 def test_a_hull_too_full_by_its_keel_is_not_asked_for_its_length():
     """The draft is of 2 m less than is immersed."""
     deep = surface((-3.0, 0.0, -2.0), (102.0, 8.0, 7.0))

@@ -12,6 +12,7 @@ from dataclasses import dataclass, field
 
 from .._core import SEA_WATER_DENSITY
 from .._resistance import GRAVITY, ittc_1957
+from .coefficients import Coefficients, checked_readings
 from .holtrop_form import HoltropShip
 from .propulsion import Propeller, propulsion_factors
 from .water import water_viscosity
@@ -58,13 +59,16 @@ def holtrop(
     gravity=GRAVITY,
     roughness=150e-6,
     propeller=None,
+    readings=None,
 ):
     """A list of HoltropResult, one for each speed in m/s.
 
     ship: HoltropShip. edition: 1984 or 1982. viscosity: kinematic, m²/s; None: that of water of the
     density. roughness: of the hull, m; 150 µm is that of new ships, which the correlation allowance
-    has. propeller: Propeller, for wake and thrust deduction. ValueError for what is no number above
-    zero, and for forms at which a formula has no value.
+    has. propeller: Propeller, for wake and thrust deduction. readings: a dict of coefficients by
+    the papers' names, as "1+k1" of a model test, in place of their formulas' at all speeds.
+    ValueError for what is no number above zero, for readings of coefficients that are not in use,
+    and for forms at which a formula has no value.
     """
     if edition not in _FORM_FACTORS:
         raise ValueError(f"edition must be 1984 or 1982, not {edition!r}.")
@@ -79,7 +83,8 @@ def holtrop(
         _require_positive(name, value)
     ship = ship.completed()
     water = _Water(water_density, viscosity, gravity, roughness)
-    return [_at_speed(ship, float(speed), edition, water, propeller) for speed in speeds]
+    readings = checked_readings(readings or {})
+    return [_at_speed(ship, float(speed), edition, water, propeller, readings) for speed in speeds]
 
 
 @dataclass(frozen=True)
@@ -122,9 +127,9 @@ def _form_factor_1984(ship, c):
 _FORM_FACTORS = {1982: _form_factor_1982, 1984: _form_factor_1984}
 
 
-def _form_coefficients(ship, edition):
+def _take_form_coefficients(c, ship, edition):
     """What does not depend on the speed."""
-    c = {"CP": ship.prismatic, "CB": ship.block, "iE": ship.entrance_angle_deg}
+    c["CP"], c["CB"], c["iE"] = ship.prismatic, ship.block, ship.entrance_angle_deg
     c["S"], c["LR"] = ship.wetted_surface, ship.length_of_run
     c["1+k1"] = _FORM_FACTORS[edition](ship, c)
     area, draft = ship.bulb_area, ship.draft_forward
@@ -156,7 +161,6 @@ def _form_coefficients(ship, edition):
     )
     c["lambda"] = 1.446 * cp - (0.03 / slender if slender > 1.0 / 12.0 else 0.36)
     c["m1"] = 0.0140407 * ship.length / ship.draft - 1.75254 / light - 4.79323 * slender - c["c16"]
-    return c
 
 
 def _hump(c, ship, froude, edition):
@@ -233,13 +237,14 @@ def _correlation_allowance(c, ship, roughness):
     return allowance
 
 
-def _at_speed(ship, speed, edition, water, propeller):
+def _at_speed(ship, speed, edition, water, propeller, readings):
     _require_positive("The speed", speed)
-    c = _form_coefficients(ship, edition)
-    froude = speed / math.sqrt(water.gravity * ship.length)
+    c = Coefficients(readings)
+    _take_form_coefficients(c, ship, edition)
+    c["Fn"] = froude = speed / math.sqrt(water.gravity * ship.length)
     c["CF"] = ittc_1957(speed * ship.length / water.viscosity)
     pressure = 0.5 * water.density * speed**2
-    friction = pressure * ship.wetted_surface * c["CF"]
+    friction = pressure * c["S"] * c["CF"]
     c["1+k2"] = ship.appendage_factor
     appendages = pressure * ship.appendage_area * c["1+k2"] * c["CF"]
     appendages += 2.0 * pressure * math.pi * ship.thruster_diameter**2 * ship.thruster_coefficient
@@ -248,11 +253,11 @@ def _at_speed(ship, speed, edition, water, propeller):
         "friction": friction,
         "form": (c["1+k1"] - 1.0) * friction,
         "appendages": appendages,
-        "wave": _wave_resistance(c, ship, froude, edition, water),
+        "wave": _wave_resistance(c, ship, c["Fn"], edition, water),
         "bulb": _bulb_resistance(c, ship, speed, water),
         "transom": _transom_resistance(c, ship, speed, pressure, water),
         # On hull and appendages together, as in both papers' examples.
-        "correlation": pressure * (ship.wetted_surface + ship.appendage_area) * c["CA"],
+        "correlation": pressure * (c["S"] + ship.appendage_area) * c["CA"],
     }
     power = sum(parts.values()) * speed
     factors, delivered, shaft = {}, 0.0, 0.0
@@ -262,11 +267,12 @@ def _at_speed(ship, speed, edition, water, propeller):
             efficiency = factors["etaH"] * factors["etaR"] * propeller.open_water_efficiency
             delivered = power / efficiency
             shaft = delivered / propeller.shaft_efficiency
+    c.require_readings()
     return HoltropResult(
         speed=speed,
         froude=froude,
         effective_power=power,
-        coefficients=c,
+        coefficients=dict(c),
         propulsion=factors,
         delivered_power=delivered,
         shaft_power=shaft,

@@ -41,7 +41,10 @@ class Propeller:
 def propulsion_factors(ship, propeller, c, edition):
     """{"w", "t", "etaR", "etaH"} of a completed HoltropShip. `c`: coefficients at the speed, by the
     papers' names; CV, CP1 and c8 to c20 are added."""
-    c["CV"] = c["1+k1"] * c["CF"] + c["CA"]
+    # Of hull and appendages, as 1 + k of Holtrop & Mennen (1978) has it: the example's CV does.
+    wetted = c["S"] + ship.appendage_area
+    added = (c["1+k2"] - c["1+k1"]) * ship.appendage_area / wetted
+    c["CV"] = (c["1+k1"] + added) * c["CF"] + c["CA"]
     breadth = math.sqrt(ship.beam * ship.draft)
     forward = ship.prismatic - 0.0225 * ship.lcb_percent
     if propeller.screws == 2:
@@ -71,8 +74,7 @@ def _take_wake_coefficients(ship, propeller, c):
     aft, diameter = ship.draft_aft, propeller.diameter
     broad = ship.beam / aft
     # Of hull and appendages: the paper's example has its c9 with both.
-    wetted = ship.wetted_surface + ship.appendage_area
-    c["c8"] = wetted / (ship.length * diameter)
+    c["c8"] = (c["S"] + ship.appendage_area) / (ship.length * diameter)
     c["c8"] *= broad if broad < 5.0 else (7.0 * broad - 25.0) / (broad - 3.0)
     c["c9"] = c["c8"] if c["c8"] < 28.0 else 32.0 - 16.0 / (c["c8"] - 24.0)
     deep = aft / diameter
