@@ -37,6 +37,7 @@ class Station {
  public:
   Station(const surface::LimitSurface& surface, double x)
       : same_(kSamePosition * surface.mesh().size()),
+        in_plane_(kInSection * surface.mesh().size()),
         on_knuckle_(kOnKnuckle * surface.mesh().size()),
         curves_(section(surface, line_plane(surface, Axis::kX, x),
                         SectionOptions{kSectionTolerance * surface.mesh().size(),
@@ -67,18 +68,33 @@ class Station {
   template <class Visit>
   void for_each_crossing(int axis, double value, const Visit& visit) const {
     for (const SectionCurve& curve : curves_) {
-      for (std::size_t i = 0; i < curve.points.size(); ++i) {
-        const Vector3d& b = curve.points[i];
-        const double above = b[axis] - value;
-        if (std::abs(above) <= same_) visit(b);
-        if (i == 0) continue;
-        const Vector3d& a = curve.points[i - 1];
-        const double before = a[axis] - value;
-        if ((before < 0.0) == (above < 0.0)) continue;
-        const Vector3d crossing = a + before / (before - above) * (b - a);
-        visit(crossing);
+      std::vector<double> above;
+      for (const Vector3d& p : curve.points) above.push_back(p[axis] - value);
+      for (std::size_t i = 0; i < above.size(); ++i) {
+        // Points that are there as far as positions tell, then one that is not, or the end.
+        const std::size_t first = i;
+        while (i < above.size() && std::abs(above[i]) <= same_) ++i;
+        if (!passes(above, first, i)) {
+          for (std::size_t k = first; k < i; ++k) visit(curve.points[k]);
+        }
+        for (std::size_t k = std::max<std::size_t>(first, 1); k <= i && k < above.size(); ++k) {
+          if ((above[k - 1] < 0.0) == (above[k] < 0.0)) continue;
+          const Vector3d &a = curve.points[k - 1], &b = curve.points[k];
+          visit(Vector3d(a + above[k - 1] / (above[k - 1] - above[k]) * (b - a)));
+        }
       }
     }
+  }
+
+  // Whether a curve goes from one side to the other between the points before `first` and at `end`,
+  // and does not lie in the plane on its way, as a flat bottom does. Then its crossing is nearer
+  // than the points between, which where it runs flat are far from one another.
+  bool passes(const std::vector<double>& above, std::size_t first, std::size_t end) const {
+    if (first == 0 || end == above.size()) return false;
+    for (std::size_t k = first + 1; k < end; ++k) {
+      if (std::max(std::abs(above[k - 1]), std::abs(above[k])) <= in_plane_) return false;
+    }
+    return (above[first - 1] < 0.0) != (above[end] < 0.0);
   }
 
   bool is_on_knuckle(const Vector3d& p) const {
@@ -90,7 +106,7 @@ class Station {
     return false;
   }
 
-  double same_, on_knuckle_;
+  double same_, in_plane_, on_knuckle_;
   std::vector<SectionCurve> curves_;
 };
 
