@@ -37,3 +37,21 @@ def test_offsets_are_of_the_surface(name):
         at = at[is_there]
         off = np.linalg.norm(tree.closest_points(at).points - at, axis=1)
         assert len(at) > 300 and off.max() < 1e-7 * surface.mesh.size
+
+
+@pytest.mark.parametrize("off", [-9e-7, -1e-8, 0.0, 9e-7])
+def test_a_step_has_its_outer_edge(off):
+    """A waterline at the height of a spray rail's flat, as far as positions tell."""
+    surface = body_of("planing_boat")[0].surface
+    size = surface.mesh.size
+    (curve,) = hn.section(surface, "x", 2.28)
+    y, z = curve.points[:, 1:].T
+    flat = np.flatnonzero(np.abs(np.diff(z)) < 1e-12 * size)
+    flat = flat[np.abs(z[flat] - z[flat[0]]) < 1e-12 * size]  # of the lowest rail
+    outer = y[flat + 1].max()
+    assert outer - y[flat].min() > 0.05
+    table = hn.offset_table(
+        surface, stations=[2.28], waterlines=[z[flat[0]] + off * size], buttocks=[]
+    )
+    # Beyond it the bottom goes on at an angle.
+    assert table.half_breadths[0] == pytest.approx(outer, abs=5e-6 * size)

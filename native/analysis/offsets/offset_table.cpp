@@ -37,7 +37,7 @@ class Station {
  public:
   Station(const surface::LimitSurface& surface, double x)
       : same_(kSamePosition * surface.mesh().size()),
-        in_plane_(kInSection * surface.mesh().size()),
+        flat_(kInSection * surface.mesh().size()),
         on_knuckle_(kOnKnuckle * surface.mesh().size()),
         curves_(section(surface, line_plane(surface, Axis::kX, x),
                         SectionOptions{kSectionTolerance * surface.mesh().size(),
@@ -87,12 +87,12 @@ class Station {
   }
 
   // Whether a curve goes from one side to the other between the points before `first` and at `end`,
-  // and does not lie in the plane on its way, as a flat bottom does. Then its crossing is nearer
-  // than the points between, which where it runs flat are far from one another.
+  // and does not lie along the plane on its way, as a flat bottom or a step does. Then its crossing
+  // is nearer than the points between, which where it runs all but flat are far from one another.
   bool passes(const std::vector<double>& above, std::size_t first, std::size_t end) const {
     if (first == 0 || end == above.size()) return false;
     for (std::size_t k = first + 1; k < end; ++k) {
-      if (std::max(std::abs(above[k - 1]), std::abs(above[k])) <= in_plane_) return false;
+      if (std::abs(above[k] - above[k - 1]) <= flat_) return false;
     }
     return (above[first - 1] < 0.0) != (above[end] < 0.0);
   }
@@ -106,7 +106,7 @@ class Station {
     return false;
   }
 
-  double same_, in_plane_, on_knuckle_;
+  double same_, flat_, on_knuckle_;
   std::vector<SectionCurve> curves_;
 };
 
