@@ -5,7 +5,7 @@ import math
 from dataclasses import dataclass, fields, replace
 
 from .. import _core
-from .positive_fields import check_positive
+from .positive_numbers import check_positive
 
 
 @dataclass(frozen=True)

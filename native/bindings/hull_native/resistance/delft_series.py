@@ -16,6 +16,7 @@ from .._core import SEA_WATER_DENSITY
 from .._resistance import GRAVITY, ittc_1957
 from .delft_coefficients import HEELED, HEELED_KEEL, HULL, KEEL, WETTED
 from .delft_form import DelftFin, one_fin
+from .positive_numbers import require_positive
 from .water import water_viscosity
 
 _REYNOLDS_LENGTH = 0.7  # of the waterline
@@ -71,14 +72,9 @@ def delft(
     """
     if viscosity is None:
         viscosity = water_viscosity(water_density)
-    for name, value in (
-        ("form_factor", form_factor),
-        ("water_density", water_density),
-        ("viscosity", viscosity),
-        ("gravity", gravity),
-    ):
-        if not (value > 0.0 and math.isfinite(value)):
-            raise ValueError(f"{name} must be a number above zero, not {value}.")
+    require_positive(
+        form_factor=form_factor, water_density=water_density, viscosity=viscosity, gravity=gravity
+    )
     if not 0.0 <= abs(heel_deg) <= _LARGEST_HEEL:
         raise ValueError(f"The heel must be up to {_LARGEST_HEEL:.0f}°, not {heel_deg}°.")
     run = _Run(yacht, abs(heel_deg), keel, rudder, form_factor, water_density, viscosity, gravity)
@@ -193,8 +189,7 @@ class _Run:
         return k.volume * self.density * self.gravity * factor * froude**2 * self.heel
 
     def result(self, speed):
-        if not (speed > 0.0 and math.isfinite(speed)):
-            raise ValueError(f"The speed must be a number above zero, not {speed}.")
+        require_positive(speed=speed)
         y = self.yacht
         froude = speed / math.sqrt(self.gravity * y.length)
         friction = self._friction(

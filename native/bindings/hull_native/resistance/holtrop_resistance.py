@@ -14,6 +14,7 @@ from .._core import SEA_WATER_DENSITY
 from .._resistance import GRAVITY, ittc_1957
 from .coefficients import Coefficients, checked_readings
 from .holtrop_form import HoltropShip
+from .positive_numbers import require_positive
 from .propulsion import Propeller, propulsion_factors
 from .water import water_viscosity
 
@@ -74,13 +75,9 @@ def holtrop(
         raise ValueError(f"edition must be 1984 or 1982, not {edition!r}.")
     if viscosity is None:
         viscosity = water_viscosity(water_density)
-    for name, value in (
-        ("water_density", water_density),
-        ("viscosity", viscosity),
-        ("gravity", gravity),
-        ("roughness", roughness),
-    ):
-        _require_positive(name, value)
+    require_positive(
+        water_density=water_density, viscosity=viscosity, gravity=gravity, roughness=roughness
+    )
     ship = ship.completed()
     water = _Water(water_density, viscosity, gravity, roughness)
     readings = checked_readings(readings or {})
@@ -93,11 +90,6 @@ class _Water:
     viscosity: float
     gravity: float
     roughness: float
-
-
-def _require_positive(name, value):
-    if not (value > 0.0 and math.isfinite(value)):
-        raise ValueError(f"{name} must be a number above zero, not {value}.")
 
 
 def _form_factor_1982(ship, c):
@@ -238,7 +230,7 @@ def _correlation_allowance(c, ship, roughness):
 
 
 def _at_speed(ship, speed, edition, water, propeller, readings):
-    _require_positive("The speed", speed)
+    require_positive(speed=speed)
     c = Coefficients(readings)
     _take_form_coefficients(c, ship, edition)
     c["Fn"] = froude = speed / math.sqrt(water.gravity * ship.length)

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 from .. import _core
 from .._resistance import ittc_1957
-from .positive_fields import check_positive
+from .positive_numbers import check_positive
 
 # Of Hullspeed's user manual: least L / ∇^(1/3) at two Froude numbers; evenly between them is ours.
 _SLENDER = (0.2, 4.0), (1.0, 7.5)

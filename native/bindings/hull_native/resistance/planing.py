@@ -10,7 +10,7 @@ from .._core import SEA_WATER_DENSITY
 from .._resistance import GRAVITY, ittc_1957
 from .deadrise import bottom_deadrise
 from .planing_run import PlaningRun
-from .positive_fields import check_positive
+from .positive_numbers import check_positive, require_positive
 from .water import water_viscosity
 
 _ROUGHNESS = 0.0004  # the ATTC's standard allowance
@@ -81,19 +81,12 @@ def savitsky(
         raise ValueError(f'friction_line must be "attc" or "ittc", not {friction_line!r}.')
     if viscosity is None:
         viscosity = water_viscosity(water_density)
-    for name, value in (
-        ("water_density", water_density),
-        ("viscosity", viscosity),
-        ("gravity", gravity),
-    ):
-        if not (value > 0.0 and math.isfinite(value)):
-            raise ValueError(f"{name} must be a number above zero, not {value}.")
+    require_positive(water_density=water_density, viscosity=viscosity, gravity=gravity)
     line = _LINES[friction_line]
     friction = _rough(line, roughness_allowance)
     results = []
     for speed in map(float, speeds):
-        if not (speed > 0.0 and math.isfinite(speed)):
-            raise ValueError(f"The speed must be a number above zero, not {speed}.")
+        require_positive(speed=speed)
         run = PlaningRun(boat, speed, water_density, viscosity, gravity, friction)
         results.append(run.result(run.equilibrium()))
     return results
@@ -136,8 +129,7 @@ def _check_reading(reading):
     for name, value in reading.items():
         if name not in _READINGS:
             raise ValueError(f"A reading is one of {', '.join(_READINGS)}, not {name!r}.")
-        if not (value > 0.0 and math.isfinite(value)):
-            raise ValueError(f"{name} must be a number above zero, not {value}.")
+        require_positive(**{name: value})
 
 
 def planing_boat(body, *, draft, vcg, trim=0.0, draft_at=0.0, **given):

@@ -11,6 +11,7 @@ from .holtrop_form import holtrop_ship
 from .holtrop_resistance import HoltropResult, holtrop
 from .michell_form import FrictionLine, thin_ship
 from .planing import savitsky
+from .positive_numbers import require_positive
 from .water import water_viscosity
 
 KNOT = 1852.0 / 3600.0  # m/s
@@ -71,8 +72,7 @@ def michell_table(
 
 def _missing(integral, line, speed):
     """Why there is no number at a speed; "" where there is one."""
-    if not (speed > 0.0 and math.isfinite(speed)):
-        raise ValueError(f"The speed must be a number above zero, not {speed}.")
+    require_positive(speed=speed)
     froude = speed / math.sqrt(GRAVITY * integral.length)
     if not _WAVES[0] <= froude <= _WAVES[1]:
         low, high = _WAVES

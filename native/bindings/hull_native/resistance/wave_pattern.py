@@ -6,6 +6,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from .positive_numbers import require_positive
+
 # Gauss's rule of so many nodes for each turn of the phase by so much, rad.
 _NODES, _TURN = 16, 12.0
 _STEEPEST = math.radians(89.0)
@@ -100,8 +102,7 @@ def _waves(integral, speed, reach, gravity, steepest):
     over directions to one side, for points as far away as reach (2,)."""
     if not 0.0 < steepest < _STEEPEST:
         raise ValueError("steepest must be above 0 and below 89° in rad.")
-    if not (speed > 0.0 and math.isfinite(speed)):
-        raise ValueError(f"The speed must be a number above zero, not {speed}.")
+    require_positive(speed=speed)
     nu = gravity / speed**2
     # By u = tan θ: the phase ν √(1 + u²) (x + u y) turns no faster than so much for each u.
     end = math.tan(steepest)

@@ -1,7 +1,16 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Fields of what methods of resistance are given, which have to be above zero."""
+"""What methods of resistance are given that has to be above zero."""
 
 import math
+
+
+def require_positive(**numbers):
+    """ValueError, with the name, for the first that is not finite and above zero; `speed` is called
+    The speed."""
+    for name, value in numbers.items():
+        if not (value > 0.0 and math.isfinite(value)):
+            name = "The speed" if name == "speed" else name
+            raise ValueError(f"{name} must be a number above zero, not {value}.")
 
 
 def check_positive(thing, whose, names):
