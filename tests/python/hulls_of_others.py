@@ -25,7 +25,7 @@ _CHANGES_OF_ONE = {
 OPEN_KEEL = ("50dragger.fbm", "whole")
 # Of a dock cut through deck and end the one part is a sheet that its closing doubles: with the
 # noise of single precision its volume is below zero. Merging the points along the cut mends it.
-REFUSED = {("pdock+weght_symm.fbm", "torn"): "torn off another body.*Merge › By Distance"}
+REFUSED = {("pdock+weght_symm.fbm", "torn"): "torn off another body.*points that are there twice"}
 
 
 def change_of_volume(name, kind):
