@@ -158,6 +158,8 @@ def test_timers_threads_and_drawing_have_one_place_each():
         "bridge/background/worker.py",
     }
     assert files_with(r"SpaceView3D\.draw_handler_(add|remove)") == {"overlays/view.py"}
+    # All views, and the one that the mouse works in.
+    assert files_with("tag_redraw") == {"bridge/blender/redraw.py", "operators/view_drag.py"}
 
 
 def test_drawing_keeps_only_what_goes_with_its_source():
