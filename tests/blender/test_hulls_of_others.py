@@ -150,9 +150,8 @@ def test_a_copy_comes_from_a_file(name, kind, ending, tmp_path):
     """Read by the operator it is mended, which is told; what is left has buttons."""
     data = copies_of(name)[kind]
     path = tmp_path / f"copy.{ending}"
-    hull_io().write_hull_file(data, path) if ending == "hull.json" else hull_io().write_freeship(
-        data, path
-    )
+    files = hull_io()
+    (files.write_hull_file if ending == "hull.json" else files.write_freeship)(data, path)
     notes = hull_io().read_mended(path).notes
     if kind in ("with a wall", "pinched"):
         assert any("were split" in note for note in notes)
@@ -162,8 +161,8 @@ def test_a_copy_comes_from_a_file(name, kind, ending, tmp_path):
     wanted = hull_of(hull_io().read_hull(FOLDER / name))
     assert bpy.ops.hull.import_hull(filepath=str(path)) == {"FINISHED"}
     hull = bpy.context.object
-    wanted.hull.draft = hull.hull.draft = (
-        wanted.hull.draft or 0.5 * max(v.co.z for v in wanted.data.vertices)
+    wanted.hull.draft = hull.hull.draft = wanted.hull.draft or 0.5 * max(
+        v.co.z for v in wanted.data.vertices
     )
     state, pressed = press_buttons(hull)
     # What has been told on import is done.
@@ -171,8 +170,8 @@ def test_a_copy_comes_from_a_file(name, kind, ending, tmp_path):
     allowed = max(hulls_of_others.change_of_volume(name, kind), SINGLE_PRECISION)
     assert volume(state) == pytest.approx(volume(press_buttons(wanted)[0]), rel=allowed)
     make_active(hull)
-    for file, export in (("lines.svg", "lines"), ("hull.hull.json", "hull"), ("again.fbm", "freeship")):
-        written = tmp_path / file
+    for export, ending in (("lines", "svg"), ("hull", "hull.json"), ("freeship", "fbm")):
+        written = tmp_path / f"again.{ending}"
         assert getattr(bpy.ops.hull, f"export_{export}")(filepath=str(written)) == {"FINISHED"}
         assert written.stat().st_size > 1000
     write(hull, tmp_path / "hull.step")

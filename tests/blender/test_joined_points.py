@@ -80,8 +80,9 @@ def is_low(edge):
 
 
 def cut_box():
-    """The half box, whose bottom has borders of its own at side and ends; of the two at the side one
-    is a crease, the other one marked as deck edge, and a point of one has what is a user's own."""
+    """The half box, whose bottom has borders of its own at side and ends; of the two at the side
+    one is a crease, the other one marked as deck edge, and a point of one has what is a user's own.
+    """
     hull = add_hull()
     bm = bmesh.new()
     bm.from_mesh(hull.data)

@@ -187,7 +187,7 @@ def starting(tree):
 
 
 def draws(tree):
-    """The functions of a module that Blender calls to draw: of panels, menus, operators' dialogs."""
+    """The functions of a module that Blender calls to draw: of panels, menus and dialogs."""
     for node in ast.walk(tree):
         if isinstance(node, ast.FunctionDef) and node.name.lstrip("_").startswith("draw"):
             yield node
