@@ -8,33 +8,22 @@ import numpy as np
 import pytest
 from addon_under_test import add_hull, hull_io, make_active, mesh_points, part, sample, state_of
 from edited_hulls import edit
-from test_hulls_of_others import hulls_of_others
+from test_hulls_of_others import hull_of, hulls_of_others, state_now
 from test_panels import texts
 
 
-def refreshed(hull):
-    return part("features.hull.hull_state").refresh(hull, bpy.context.scene)
-
-
 def volume(hull):
-    return refreshed(hull).hydrostatics.values.displaced_volume
-
-
-def of_data(data):
-    scene = bpy.context.scene
-    hull = part("features.hull.hull_creation").hull_object(data, scene, scene.collection)
-    make_active(hull)
-    return hull
+    return state_now(hull).hydrostatics.values.displaced_volume
 
 
 def yacht(torn=True):
     folder = part("features.hull.samples").sample_files()
     data = hull_io().read_hull(folder["sailing_yacht"])
-    return of_data(hulls_of_others.torn(data) if torn else data)
+    return hull_of(hulls_of_others.torn(data) if torn else data)
 
 
 def doubled(hull):
-    return [p for p in refreshed(hull).ship.check.problems if p.remedy == "POINTS"]
+    return [p for p in state_now(hull).ship.check.problems if p.remedy == "POINTS"]
 
 
 def creases(hull):
@@ -151,7 +140,7 @@ def test_samples_have_no_such_points():
 def test_a_panel_has_the_buttons_of_what_it_says():
     hull = sample("coaster")
     hull.data.flip_normals()
-    refreshed(hull)
+    state_now(hull)
     said = texts()["HULL_PT_hydrostatics"]
     assert any("turned inwards" in text for text in said)
     assert "operator hull.turn_outwards" in said
@@ -178,7 +167,7 @@ def test_a_hull_whose_sides_are_apart_is_closed_as_a_half():
     bmesh.ops.reverse_faces(bm, faces=faces)
     bm.to_mesh(hull.data)
     bm.free()
-    state, said = refreshed(hull), texts()["HULL_PT_hydrostatics"]
+    state, said = state_now(hull), texts()["HULL_PT_hydrostatics"]
     values = state.hydrostatics
     assert "Make Half" in (values.status or values.values.remark)
     assert {"operator hull.make_half", "operator hull.select_creases"} <= set(said)
@@ -186,5 +175,5 @@ def test_a_hull_whose_sides_are_apart_is_closed_as_a_half():
     assert hull.mode == "EDIT"
     bpy.ops.object.mode_set(mode="OBJECT")
     assert bpy.ops.hull.make_half() == {"FINISHED"}
-    assert not refreshed(hull).hydrostatics.values.remark
+    assert not state_now(hull).hydrostatics.values.remark
     assert volume(hull) == pytest.approx(wanted, rel=1e-9)

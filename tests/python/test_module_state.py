@@ -20,7 +20,7 @@ KEPT = {
     "bridge/objects/unrecorded.py: _to_hide": "what is done once an undo is through",
     "bridge/objects/unrecorded.py: _is_undoing": "between two handlers of one undo",
     "features/analyses/live_analyses.py: _plots": "what all 3D views show now",
-    "features/conversion/conversions.py: _recent": "for undo: of any hull that has the same surface",
+    "features/conversion/conversions.py: _recent": "for undo: of any hull with this surface",
     "features/conversion/conversions.py: _tasks": "work that goes on when its hull is deleted",
     "features/hull/hull_state.py: _states": "the states themselves",
     "features/hull/tags.py: _known": "made of a surface, and gone with it",
