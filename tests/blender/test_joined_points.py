@@ -6,7 +6,7 @@ import bmesh
 import bpy
 import numpy as np
 import pytest
-from addon_under_test import add_hull, hull_io, make_active, mesh_points, part, sample, state_of
+from addon_under_test import add_hull, hull_io, mesh_points, part, sample, state_of
 from edited_hulls import edit
 from test_hulls_of_others import hull_of, hulls_of_others, state_now
 from test_panels import texts

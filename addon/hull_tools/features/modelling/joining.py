@@ -12,7 +12,7 @@ from ...bridge.mesh.mesh_editing import check_single_user, editing
 from ..hull import hull_state
 
 # Layers of points and edges whose values go along; 0 stands for none in all that the add-on has.
-_KINDS = ("float", "float_vector", "int")
+_KINDS = ("bool", "crease", "float", "float_vector", "int")  # "crease" up to Blender 3.6
 
 
 @dataclass(frozen=True)
@@ -99,10 +99,8 @@ def _joined_edges(bm, target):
 
 def _layers(elements):
     """What points or edges of a BMesh carry, creases among it."""
-    found = [getattr(elements.layers, kind) for kind in _KINDS]
-    if hasattr(elements.layers, "crease"):  # up to Blender 3.6
-        found.append(elements.layers.crease)
-    return [layer for of_kind in found for layer in of_kind.values()]
+    found = [getattr(elements.layers, kind, None) for kind in _KINDS]
+    return [layer for of_kind in found if of_kind is not None for layer in of_kind.values()]
 
 
 def _take_over(layers, source, target):
