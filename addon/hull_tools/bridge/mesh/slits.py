@@ -19,8 +19,10 @@ def pairs(points, face_sizes, face_vertices, reach, on_plane=None):
     at, all by default. Only where two borders, and no third edge, run between the same two places,
     in the opposite sense: anything else would make no surface when joined.
     """
-    ends = ends_of_sides(face_sizes, face_vertices)
     twice = _are_twice(points, reach)
+    if not twice.any():
+        return np.empty((0, 2), dtype=np.int64)
+    ends = ends_of_sides(face_sizes, face_vertices)
     is_seen = np.ones(len(points), dtype=bool) if on_plane is None else on_plane
     ends = ends[is_seen[ends].all(axis=1) & twice[ends].any(axis=1)]
     directed, uses = np.unique(np.sort(ends, axis=1), axis=0, return_counts=True)
