@@ -50,9 +50,10 @@ def chosen(names, kinds, few):
 
 def chosen_copies(names, copies_of, few):
     """The same of the hulls of these names and their copies by kind, copies_of(name), and all that
-    are REFUSED."""
+    are REFUSED, or open."""
     some = list(chosen(names, list(copies_of(names[0])), few)) if names else []
-    return some + [pair for pair in REFUSED if pair[0] in names and pair not in some]
+    special = [pair for pair in (*REFUSED, OPEN_KEEL) if pair[0] in names]
+    return some + [pair for pair in special if pair not in some]
 
 
 def copies(data, seed, mirror_faces):

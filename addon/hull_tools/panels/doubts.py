@@ -12,7 +12,6 @@ _MENDING = {
     "JOIN": ("hull.join_centre_line",),
     "POINTS": ("hull.join_points",),
     "TURN": ("hull.turn_outwards",),
-    "MAKE_HALF": ("hull.make_half",),
 }
 
 _COUNTING = {"WHOLE": "Count as Whole", "HALF": "Count as Half"}
@@ -42,6 +41,8 @@ def draw_volume_mending(layout, hull, state):
     for kind in remedies.of_volume(hull, state):
         if kind == "BORDERS":
             layout.operator("hull.select_creases", text="Select Borders").kind = "BORDER"
+        elif kind == "MAKE_HALF":  # of sides that reach across by noise, too
+            layout.operator("hull.make_half").cut = True
         else:
             _draw_buttons(layout, kind)
 
