@@ -21,11 +21,8 @@ from .hull_data import (
     Particulars,
     PointGroup,
     ShapeField,
-    ShellArrays,
     Tie,
     Variant,
-    shell_arrays,
-    shell_face_indices,
 )
 from .hull_file import read_hull_file, write_hull_file
 from .keeping import to_dimensions_keeping
@@ -35,6 +32,7 @@ from .part_files import read_stl_parts, write_segments, write_stl_parts
 from .plating_data import SEAM_KINDS, FrameRange, Plating, SeamRule
 from .reading import read_hull, read_mended, stored_sections
 from .scaling import scaled, to_dimensions
+from .shell import ShellArrays, shell_arrays, shell_face_indices
 from .ship_data import (
     Afloat,
     Appendage,

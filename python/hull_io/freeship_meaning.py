@@ -10,11 +10,12 @@ from .cleanup import clean_faces, creases_of_faces, listed
 from .freeship_curves import row_edges
 from .freeship_plating import as_typed, give_plating
 from .freeship_units import FOOT, POUND_PER_CUBIC_FOOT
-from .hull_data import HullData, Layer, Particulars, shell_face_indices
+from .hull_data import HullData, Layer, Particulars
 from .hull_developables import between_knuckles
 from .limits import LONGEST_DIMENSION
 from .mending import mend
 from .mirror import mirror_faces, put_on_centre_plane
+from .shell import shell_face_indices
 from .subdivision import subdivided
 
 LONG_TON_PER_CUBIC_FOOT = 2240 * 0.45359237e-3 / FOOT**3

@@ -20,9 +20,10 @@ from .freeship_losses import losses
 from .freeship_plating import plating
 from .freeship_points import border_edges, point_kinds
 from .freeship_units import FOOT, POUND_PER_CUBIC_FOOT, plating_units
-from .hull_data import edge_key, face_edges, shell_face_indices
+from .hull_data import edge_key, face_edges
 from .limits import FURTHEST_POINT, MAX_COUNT, SEA_WATER_DENSITY
 from .real_points import real_points
+from .shell import shell_face_indices
 from .subdivision import subdivided
 
 VERSION = 201

@@ -3,8 +3,8 @@
 
 import numpy as np
 
-from .hull_data import shell_arrays
 from .scaling import follow, to_dimensions
+from .shell import shell_arrays
 from .stretching import stretch_to
 
 # What can be kept, as hull_native.kept_ranges has it.

@@ -11,10 +11,11 @@ import numpy as np
 
 from . import scaling, sides
 from .cleanup import listed
-from .hull_data import KEPT_IN, shell_face_indices
+from .hull_data import KEPT_IN
 from .hull_ties import renumbered
 from .moving import OtherSide
 from .orientation import turn_outwards
+from .shell import shell_face_indices
 from .splitting import split, standing_parts
 
 

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .scaling import Scale
+from .scale import Scale
 
 
 @dataclass(frozen=True)

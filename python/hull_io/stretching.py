@@ -12,7 +12,8 @@ from math import inf, isfinite
 
 import numpy as np
 
-from .scaling import Scale, factors
+from .scale import Scale
+from .scaling import factors
 
 # Of each free range, that the weight rises over at each of its ends that meets a kept range.
 _FADE = 0.5

@@ -84,6 +84,37 @@ def test_the_marked_crease_counts():
     assert deck_edge_heel(hull) == pytest.approx(atan((RAIL - DRAFT) / HALF_BREADTH), rel=1e-9)
 
 
+def remarks(hull):
+    """What levers and criteria say of what they rest on."""
+    scene, analyses = bpy.context.scene, part("features.analyses")
+    levers = analyses.result_of(hull, scene, "righting_levers")
+    criteria = analyses.result_of(hull, scene, "criteria")
+    assert criteria.report.deck_edge_heel == pytest.approx(levers.levers.deck_edge_heel, abs=1e-9)
+    return [list(levers.remarks()), list(criteria.remarks)]
+
+
+def test_an_open_transom_is_a_deck_edge_at_0_until_another_is_marked():
+    hull = add_bulwark_box()
+    for vertex in hull.data.vertices:  # a transom swept forward at its sides: longer than high
+        vertex.co.x += 0.5 * (vertex.co.x == 0.0 < vertex.co.y)
+    bpy.context.view_layer.update()
+    said = part("features.stability.loads").DECK_EDGE_UNDER_WATER
+    assert not any(said in of_one for of_one in remarks(hull))
+    bm = bmesh.new()
+    bm.from_mesh(hull.data)
+    transom = [face for face in bm.faces if all(vertex.co.x < 1.0 for vertex in face.verts)]
+    bmesh.ops.delete(bm, geom=transom, context="FACES_ONLY")
+    bm.to_mesh(hull.data)
+    bm.free()
+    bpy.context.view_layer.update()
+    assert len(transom) == 2 and not state_of(hull).hydrostatics.status
+    assert deck_edge_heel(hull) == 0.0
+    assert all(said in of_one for of_one in remarks(hull))
+    mark(hull, SIDE)
+    assert deck_edge_heel(hull) == pytest.approx(atan((RAIL - DRAFT) / HALF_BREADTH), rel=1e-9)
+    assert not any(said in of_one for of_one in remarks(hull))
+
+
 def test_a_crease_is_marked_from_end_to_end():
     hull = add_bulwark_box()
     bpy.ops.object.mode_set(mode="EDIT")

@@ -235,6 +235,20 @@ def test_the_index_has_every_page():
     assert not missing
 
 
+def test_the_index_has_the_panels_in_the_order_of_the_sidebar():
+    section = (DOCS / "README.md").read_text().split("## The panels, from top to bottom")[1]
+    rows = re.findall(r"^\| \[([^\]]+)\]\(panels/([\w-]+)\.md\)", section, flags=re.M)
+    told = [label for labels, _ in rows for label in labels.split(", ")]
+    panels = [
+        cls
+        for cls in part("panels")._CLASSES
+        if getattr(cls, "bl_category", "") == "Hull" and not getattr(cls, "bl_parent_id", "")
+    ]
+    assert told == [cls.bl_label for cls in panels] and len(told) > 25
+    pages = dict.fromkeys(page_of(cls) for cls in panels)
+    assert [page for _, page in rows] == list(pages)
+
+
 def test_every_picture_is_on_a_page():
     shown = {
         (path.parent / target).resolve()

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Fitting a hull: to the surface of another, to an STL file, to points; what is to stay stays."""
 
+import dataclasses
 import struct
 
 import bpy
@@ -256,6 +257,12 @@ def test_a_target_that_is_mostly_left_out_is_warned_of():
     report, _ = fitting.last_report(hull)
     assert report.left_out > report.counted / 2 and report.is_mostly_beside
     assert "was left out" in fitting.warning(report) and "was left out" in fitting.summary(report)
+    # A third is the most that may be: just that much is no warning yet.
+    third = dataclasses.replace(report, counted=200, left_out=100)
+    assert not fitting.warning(third) and "was left out" not in fitting.summary(third)
+    above = dataclasses.replace(third, left_out=101)
+    assert fitting.warning(above).startswith("34 % of the target was left out")
+    assert fitting.summary(above).startswith(fitting.warning(above))
     # The house stands up to 16 m above the box's upper edge.
     assert report.target_largest == pytest.approx(16.0, abs=0.2)
     assert report.target_rms > 3.0 > report.rms

@@ -227,6 +227,16 @@ def test_every_doubt_has_a_button_that_clears_it():
     assert doubts(hull) == []
 
 
+def test_one_side_that_counts_as_whole_is_counted_as_half():
+    hull = sample("coaster")
+    before = volume(hull)
+    hull.hull.half = False
+    assert doubts(hull)[0] == ("HALF", ())
+    assert refreshed(hull).plausible.doubts[0].message.startswith("Only the port side is modelled")
+    assert BUTTONS["HALF"](None) == {"FINISHED"}
+    assert doubts(hull) == [] and volume(hull) == pytest.approx(before, rel=1e-12)
+
+
 @pytest.mark.parametrize("stays", [True, False])
 def test_what_lies_in_space_goes_up_with_the_keel(stays):
     hull = add_hull()

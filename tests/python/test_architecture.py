@@ -176,6 +176,8 @@ def test_timers_threads_and_drawing_have_one_place_each():
         "bridge/background/worker.py",
     }
     assert files_with(r"SpaceView3D\.draw_handler_(add|remove)") == {"overlays/view.py"}
+    # All views, and the one that the mouse works in.
+    assert files_with("tag_redraw") == {"bridge/blender/redraw.py", "operators/view_drag.py"}
 
 
 def test_drawing_keeps_only_what_goes_with_its_source():
@@ -183,3 +185,50 @@ def test_drawing_keeps_only_what_goes_with_its_source():
     thing may have by then."""
     kept = files_with(r"(?m)^_\w+ = (\{\}|dict\(|set\(|\[\]|OrderedDict)")
     assert not {file for file in kept if file.startswith(("overlays/", "panels/"))}
+
+
+# What begins work, or has it done later.
+STARTERS = {"ask", "begin", "put_off", "start", "submit", "show_plots", "register_timer"}
+BACKGROUND = {"background", "jobs", "timers", "worker", "work_queue", "threading", "concurrent"}
+
+
+def starting(tree):
+    """What of a module begins work or imports what does."""
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute):
+            if node.func.attr in STARTERS:
+                yield ast.unparse(node.func)
+        elif isinstance(node, (ast.Import, ast.ImportFrom)):
+            module = getattr(node, "module", None) or ""
+            names = [*module.split("."), *(p for a in node.names for p in a.name.split("."))]
+            yield from sorted(BACKGROUND.intersection(names))
+
+
+def draws(tree):
+    """The functions of a module that Blender calls to draw: of panels, menus and dialogs."""
+    for node in ast.walk(tree):
+        if isinstance(node, ast.FunctionDef) and node.name.lstrip("_").startswith("draw"):
+            yield node
+
+
+def test_drawing_starts_nothing():
+    found = {}
+    for path in sorted(ADDON.rglob("*.py")):
+        name = path.relative_to(ADDON).as_posix()
+        tree = ast.parse(path.read_text(encoding="utf-8"))
+        whole = name.startswith(("panels/", "overlays/"))
+        found[name] = [one for part in ([tree] if whole else draws(tree)) for one in starting(part)]
+    assert sum(name.startswith(("panels/", "overlays/")) for name in found) > 40
+    assert {name: said for name, said in found.items() if said} == {}
+
+
+def test_what_starts_is_found():
+    text = "from ..bridge.background import timers\n\ndef draw(self, context):\n    looks.start()\n"
+    assert list(starting(ast.parse(text))) == ["background", "timers", "looks.start"]
+    assert [node.name for node in draws(ast.parse(text))] == ["draw"]
+
+
+def test_both_pages_say_the_same_of_drawing():
+    said = "Drawing starts nothing: it reads what was computed, and notes in the hull's state what"
+    for page in (PAGE, (ROOT / "CONTRIBUTING.md").read_text(encoding="utf-8")):
+        assert said in " ".join(page.split())

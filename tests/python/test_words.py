@@ -55,3 +55,50 @@ def test_no_label_begins_with_its(folder):
     paths = sorted((ROOT / "addon" / "hull_tools" / folder).rglob("*.py"))
     found = [text for path in paths for text in labels(ast.parse(path.read_text()))]
     assert len(found) > 20 and not [text for text in found if text.startswith("Its ")]
+
+
+ADDON = ROOT / "addon" / "hull_tools"
+MASS, VOLUME = re.compile(r"[Dd]isplacement|Δ"), re.compile(r"[Dd]isplaced volume|∇")
+IN_MASS, IN_VOLUME = re.compile(r"\bt$|\bin t\b"), re.compile(r"\bm3\b|m³")
+
+
+def texts_that_belong_together(tree):
+    """Lists of texts: of each row of a table, and of each call."""
+    for node in ast.walk(tree):
+        parts = []
+        if isinstance(node, ast.Tuple):
+            parts = node.elts
+        elif isinstance(node, ast.Call):
+            parts = [*node.args, *(word.value for word in node.keywords)]
+        found = [p.value for p in parts if isinstance(p, ast.Constant) and isinstance(p.value, str)]
+        if found:
+            yield found
+
+
+def confused(texts):
+    """Whether a displacement is given as a volume, or the other way round."""
+    says = [any(pattern.search(text) for text in texts)
+            for pattern in (MASS, VOLUME, IN_MASS, IN_VOLUME)]  # fmt: skip
+    mass, volume, in_mass, in_volume = says
+    return (mass and not volume and in_volume) or (volume and not mass and in_mass)
+
+
+def test_displacement_is_a_mass_and_displaced_volume_a_volume():
+    rows = [
+        (path.name, texts)
+        for path in sorted(ADDON.rglob("*.py"))
+        for texts in texts_that_belong_together(ast.parse(path.read_text(encoding="utf-8")))
+    ]
+    assert not [row for row in rows if confused(row[1])]
+    told = [texts for _, texts in rows if any(MASS.search(text) for text in texts)]
+    assert sum(any(IN_MASS.search(text) for text in texts) for texts in told) > 4
+    number = r" (of |is |by )?[\d.,]+ ?"
+    wrong = re.compile(rf"[Dd]isplacement{number}m³|[Dd]isplaced volume{number}t\b")
+    assert not [name for name, text in texts() if wrong.search(text)]
+
+
+def test_confused_rows_are_found():
+    assert confused(["volume", "Displacement", "m3"]) and confused(["Displaced volume ∇", "t"])
+    assert not confused(["Displacement Δ", "displacement", "t"])
+    assert not confused(["∇ in m³", "Displaced volume wanted"])
+    assert not confused(["Shift the sections to a displacement", "by this"])

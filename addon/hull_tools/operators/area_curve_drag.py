@@ -123,8 +123,7 @@ class HULL_OT_drag_area_curve(bpy.types.Operator, ViewDrag, HullOperator):
             point = handles.points_of(obj, scene)[index]
             text = handles.words(point, scene, handles.present_area(obj, scene, point[0]))
         self._held.text = text
-        self._area.header_text_set(text or _HELP)
-        self._area.tag_redraw()
+        self._say(text or _HELP)
 
     def leave(self, context):
         self._held.index, self._held.is_dragged, self._held.text = None, False, ""

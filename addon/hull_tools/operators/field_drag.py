@@ -106,8 +106,7 @@ class HULL_OT_drag_field(bpy.types.Operator, ViewDrag, FieldOperator):
             text = handles.words(self._row(), self._held.kind, context.scene)
             if self._axis is not None:
                 text += f"    along {'xyz'[self._axis]}"
-        self._area.header_text_set(text)
-        self._area.tag_redraw()
+        self._say(text)
 
     def _eye(self):
         return self._eye_on(self._hull, bpy.context.scene)

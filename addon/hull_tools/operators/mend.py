@@ -3,12 +3,12 @@
 
 import bmesh
 import bpy
-from bpy.props import EnumProperty
+from bpy.props import BoolProperty, EnumProperty
 
 from ..bridge.blender import units
 from ..bridge.counts import counted
 from ..features.hull import hull_state, plausible
-from ..features.modelling import centre_line, mirroring, splitting
+from ..features.modelling import joining, mirroring, splitting
 from .shared import HullOperator, in_object_mode
 
 
@@ -77,8 +77,33 @@ class HULL_OT_join_centre_line(bpy.types.Operator, HullOperator):
     bl_label = "Join Centre Line"
 
     def run_on(self, hull, context):
-        count = centre_line.join(hull, context.scene)
-        self.tell("INFO", f"{counted(count, 'point')} of the centre line joined")
+        done = joining.join_centre_line(hull, context.scene)
+        self.tell("INFO", f"{counted(done.points, 'point')} of the centre line joined")
+
+
+class HULL_OT_join_points(bpy.types.Operator, HullOperator):
+    """Join the points of borders that lie on one another, so that the faces on both sides are one
+    surface. Nothing moves, creases and tags stay"""
+
+    bl_idname = "hull.join_points"
+    bl_label = "Join Points"
+
+    smooth: BoolProperty(
+        name="Smooth",
+        options={"SKIP_SAVE"},
+        description="Let the surface go smoothly across the joined edges, but for those that are "
+        "tagged, as of a sheet that was torn apart. Else they become creases, which borders are, "
+        "and the surface stays as it is",
+    )
+
+    def run_on(self, hull, context):
+        done = joining.join_points(hull, context.scene, self.smooth)
+        text = f"{counted(done.points, 'point')} joined"
+        if done.knuckles:
+            text += f"; {counted(done.knuckles, 'joined edge')} became creases: Smooth is without"
+        if done.smooth:
+            text += f"; the surface is another along {counted(done.smooth, 'joined edge')}"
+        self.tell("INFO", text)
 
 
 class HULL_OT_count_sides(bpy.types.Operator, HullOperator):
@@ -139,6 +164,7 @@ CLASSES = (
     HULL_OT_mirror_to_port,
     HULL_OT_put_on_centre_plane,
     HULL_OT_join_centre_line,
+    HULL_OT_join_points,
     HULL_OT_count_sides,
     HULL_OT_take_from_surface,
 )

@@ -146,8 +146,7 @@ class HULL_OT_draw_network_curve(bpy.types.Operator, CurveOperator, ViewDrag):
             self._pen.take_back()
         elif event.type == "K" and event.value == "PRESS":
             self._pen.turn_knuckle()
-        self._area.header_text_set(self._pen.text)
-        self._area.tag_redraw()
+        self._say(self._pen.text)
         return self._rest(event)
 
     def _done(self, context):

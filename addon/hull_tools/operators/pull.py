@@ -267,8 +267,7 @@ class HULL_OT_pull_surface(bpy.types.Operator, ViewDrag, HullOperator):
             place = tuple(now), tuple(grip.point)
             radius = 0.0 if self._grip is None else self._pull.scale * self.radius
             self._held.mark = pull_lines.Mark(place[1], place[0], text, radius)
-        self._area.header_text_set(text)
-        self._area.tag_redraw()
+        self._say(text)
 
     def _words(self, scene, grip, now):
         places = "  ".join(

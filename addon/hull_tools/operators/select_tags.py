@@ -6,7 +6,7 @@ from bpy.props import BoolProperty, EnumProperty, IntProperty
 
 from ..bridge.mesh import selection
 from ..features.hull import hull_state, tags
-from .shared import EditModeOperator
+from .shared import EditModeOperator, HullOperator, enter_edit_mode
 
 
 class SelectOperator(EditModeOperator):
@@ -31,6 +31,7 @@ class HULL_OT_select_creases(bpy.types.Operator, SelectOperator):
     bl_label = "Select Creases"
 
     nothing_found = "The hull has none"
+    needs = HullOperator.needs  # edit mode is entered
 
     kind: EnumProperty(
         name="Which",
@@ -42,6 +43,10 @@ class HULL_OT_select_creases(bpy.types.Operator, SelectOperator):
             ("DECK_EDGE", "Deck edge", "Edges that are marked as deck edge"),
         ),
     )
+
+    def run_on(self, hull, context):
+        enter_edit_mode(context, hull)
+        super().run_on(hull, context)
 
     def found(self, hull, context):
         kinds = tags.EDGE_KINDS if self.kind == "ALL" else (self.kind.lower(),)

@@ -29,7 +29,7 @@ class ViewDrag:
         context.window.cursor_modal_set("CROSSHAIR")
         context.workspace.status_text_set(self.help_text)
         context.window_manager.modal_handler_add(self)
-        self._area.tag_redraw()
+        self._say(None)
         return {"RUNNING_MODAL"}
 
     def cancel(self, context):
@@ -40,7 +40,12 @@ class ViewDrag:
         self.leave(context)
         context.window.cursor_modal_restore()
         context.workspace.status_text_set(None)
-        self._area.header_text_set(None)
+        self._say(None)
+
+    def _say(self, text):
+        """Puts a text into the view's header, Blender's own with None; the view is drawn anew, and
+        no other one: redraw() has all of them drawn, which is too much for each step of a mouse."""
+        self._area.header_text_set(text)
         self._area.tag_redraw()
 
     def _rest(self, event):

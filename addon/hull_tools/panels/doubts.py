@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What can't be true of a hull, and what helps, as boxes in the panels of the hull and its mesh."""
 
+from ..features.hull import remedies
 from .shared import label_wrapped
 
 # The buttons of mesh problems, by the kind of their remedy.
@@ -9,6 +10,8 @@ _MENDING = {
     "PORT": ("hull.mirror_to_port",),
     "CENTRE": ("hull.put_on_centre_plane",),
     "JOIN": ("hull.join_centre_line",),
+    "POINTS": ("hull.join_points",),
+    "TURN": ("hull.turn_outwards",),
 }
 
 _COUNTING = {"WHOLE": "Count as Whole", "HALF": "Count as Half"}
@@ -30,6 +33,21 @@ def draw_doubts(layout, context, state):
 
 def draw_mending(layout, problem):
     """The buttons that mend a problem of the mesh check."""
+    _draw_buttons(layout, problem.remedy)
+
+
+def draw_volume_mending(layout, hull, state):
+    """The buttons that help where the hull of a HullState has no volume, or a doubtful one."""
+    for kind in remedies.of_volume(hull, state):
+        if kind == "BORDERS":
+            layout.operator("hull.select_creases", text="Select Borders").kind = "BORDER"
+        elif kind == "MAKE_HALF":  # of sides that reach across by noise, too
+            layout.operator("hull.make_half").cut = True
+        else:
+            _draw_buttons(layout, kind)
+
+
+def _draw_buttons(layout, remedy):
     row = layout.row(align=True)
-    for name in _MENDING.get(problem.remedy, ()):
+    for name in _MENDING.get(remedy, ()):
         row.operator(name)

@@ -8,6 +8,7 @@ from ..bridge.objects import hull_objects
 from ..features.flotation import hydrostatics
 from ..features.hull import hull_state
 from ..properties.shared import field_or
+from .doubts import draw_volume_mending
 from .shared import HullPanel, export_buttons, label_list, label_value, label_wrapped, text_field
 
 _ROWS = 2 + len(hydrostatics.KEY_FIGURES)  # of numbers in the panel itself
@@ -37,9 +38,11 @@ class HULL_PT_hydrostatics(HullPanel, bpy.types.Panel):
         if found is None:
             said = state.status or state.hydrostatics.status or "No surface yet"
             label_wrapped(layout, context, said, icon="INFO")
+            draw_volume_mending(layout, hull, state)
             return
         if found.remark and not state.status:
             label_wrapped(layout, context, found.remark, icon="ERROR")
+            draw_volume_mending(layout, hull, state)
         self._draw_appendages(layout, context, hull, state.ship)
         if state.status:  # numbers would be those of the hull as it was
             label_wrapped(layout, context, state.status, "ERROR", _ROWS)

@@ -121,9 +121,7 @@ def test_a_hull_too_full_by_its_keel_is_not_asked_for_its_length():
 def test_samples_have_the_dimensions_of_their_surface(name):
     """By their control points, which reach a little further."""
     data = hull_io.read_hull(SAMPLES / name)
-    used = {
-        point for face in hull_io.hull_data.shell_face_indices(data) for point in data.faces[face]
-    }
+    used = {point for face in hull_io.shell_face_indices(data) for point in data.faces[face]}
     assert doubts(data.particulars, data.half, extents(data.points[sorted(used)])) == []
 
 

@@ -21,7 +21,7 @@ class Problem:
     """severity "error" or "warning"; kind "mesh", "vertex", "edge" or "face".
 
     elements are Blender's indices: vertices, faces, or for edges pairs of vertices. remedy: what
-    mends it, "SPLIT", "PORT", "CENTRE", "JOIN" or "".
+    mends it, "SPLIT", "PORT", "CENTRE", "JOIN", "POINTS" or "".
     """
 
     severity: str
@@ -60,6 +60,7 @@ def check_control_mesh(data, control, half):
     mesh = hull_native.ControlMesh(*control.arguments())
     problems += _side_warnings(control, half)
     problems += _centre_line_warnings(mesh, control) if half else _slit_warnings(control)
+    problems += _doubled_warnings(control, half)
     check = MeshCheck(
         mesh.vertex_count,
         mesh.edge_count,
@@ -185,27 +186,54 @@ def _centre_line_warnings(mesh, control):
 def slits(control):
     """(k, 2) pairs of points of a whole hull's centre line that are to become one for its two sides
     to be joined there, as numbers of the control arrays."""
+    return _slits(control, on_centre_plane(control.points))
+
+
+def _slits(control, on_plane=None):
     points = control.points
-    return slits_of_mesh.pairs(
-        points,
-        control.face_sizes,
-        control.face_vertices,
-        on_centre_plane(points),
-        _dust(points),
-    )
+    faces = control.face_sizes, control.face_vertices
+    return slits_of_mesh.pairs(points, *faces, _dust(points), on_plane)
 
 
 def _slit_warnings(control):
     found = slits(control)
     if not len(found):
         return []
-    kept = len(np.unique(found[:, 0]))
     message = (
-        f"{counted(kept, 'point')} of the centre line {'is' if kept == 1 else 'are'} there twice, "
-        "so that the two sides are not joined: join them"
+        f"{_there_twice(found, 'of the centre line')}, so that the two sides are not joined: join "
+        "them"
     )
+    return [_pairs_problem(control, found, message, "JOIN")]
+
+
+def doubled(control, half):
+    """The same of points of borders elsewhere: all pairs but those of slits(), of a whole hull."""
+    found = _slits(control)
+    if half or not len(found):
+        return found
+    others = set(map(tuple, slits(control).tolist()))
+    return found[[tuple(pair) not in others for pair in found.tolist()]]
+
+
+def _doubled_warnings(control, half):
+    found = doubled(control, half)
+    if not len(found):
+        return []
+    message = (
+        f"{_there_twice(found, 'of borders')}, within {1e3 * _dust(control.points):.2g} mm, so "
+        "that the faces on both sides are not joined: join them"
+    )
+    return [_pairs_problem(control, found, message, "POINTS")]
+
+
+def _there_twice(found, where):
+    kept = len(np.unique(found[:, 0]))
+    return f"{counted(kept, 'point')} {where} {'is' if kept == 1 else 'are'} there twice"
+
+
+def _pairs_problem(control, found, message, remedy):
     elements = tuple(control.vertex_ids[np.unique(found)].tolist())
-    return [Problem("warning", "vertex", elements, message, "JOIN")]
+    return Problem("warning", "vertex", elements, message, remedy)
 
 
 def _dust(points):

@@ -1,22 +1,30 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Slits along the centre line of a whole hull: both sides have borders there, with points of their
-own at the same places, so that they look joined and are not."""
+"""Slits: two borders with points of their own at the same places, so that the faces at them look
+joined and are not."""
 
 import numpy as np
 from mathutils import kdtree
 
 from .face_sides import ends_of_sides
 
+# No line between points of hulls lies across it, but by chance.
+_DIRECTION = np.array([0.5773, 0.6412, 0.5055])
+_MOST_AT_A_PLACE = 8
 
-def pairs(points, face_sizes, face_vertices, on_plane, reach):
-    """(k, 2) points (k pairs) that are to become one for the two sides to be joined.
 
-    on_plane: (n,) which points are on the centre plane. reach: how far two points of one place are
-    apart at most. Only where two borders, and no third edge, run between the same two places, in
-    the opposite sense: anything else would make no surface when joined.
+def pairs(points, face_sizes, face_vertices, reach, on_plane=None):
+    """(k, 2) points (k pairs) that are to become one for the faces to be joined.
+
+    reach: how far two points of one place are apart at most. on_plane: (n,) which points are looked
+    at, all by default. Only where two borders, and no third edge, run between the same two places,
+    in the opposite sense: anything else would make no surface when joined.
     """
+    twice = _are_twice(points, reach)
+    if not twice.any():
+        return np.empty((0, 2), dtype=np.int64)
     ends = ends_of_sides(face_sizes, face_vertices)
-    ends = ends[on_plane[ends].all(axis=1)]
+    is_seen = np.ones(len(points), dtype=bool) if on_plane is None else on_plane
+    ends = ends[is_seen[ends].all(axis=1) & twice[ends].any(axis=1)]
     directed, uses = np.unique(np.sort(ends, axis=1), axis=0, return_counts=True)
     if np.count_nonzero(uses == 1) < 2:
         return np.empty((0, 2), dtype=np.int64)
@@ -35,6 +43,22 @@ def pairs(points, face_sizes, face_vertices, on_plane, reach):
         if place[one[0]] == place[other[1]]:
             found |= {tuple(sorted(pair)) for pair in zip(one, other[::-1]) if pair[0] != pair[1]}
     return _apart(np.array(sorted(found), dtype=np.int64).reshape(-1, 2), face_sizes, face_vertices)
+
+
+def _are_twice(points, reach):
+    """(n,) which points have another one at the same place: quickly, as at each step of a drag."""
+    found = np.zeros(len(points), dtype=bool)
+    along = points @ _DIRECTION
+    order = np.argsort(along)
+    along = along[order]
+    for step in range(1, min(len(points), _MOST_AT_A_PLACE)):
+        near = np.flatnonzero(along[step:] - along[:-step] <= reach)
+        if not len(near):
+            break
+        one, other = order[near], order[near + step]
+        is_same = np.linalg.norm(points[one] - points[other], axis=1) <= reach
+        found[one[is_same]] = found[other[is_same]] = True
+    return found
 
 
 def _places(points, indices, reach):

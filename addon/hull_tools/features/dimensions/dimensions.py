@@ -136,7 +136,7 @@ def _keep_form(obj, scene):
 
 def scale_hull(obj, scene, factors):
     """Multiplies x, y and z of a hull's points by three factors, and all that belongs to it
-    follows. ValueError as hull_io.scaling.Scale."""
+    follows. ValueError as hull_io.scale.Scale."""
     _move(obj, scene, scaling.Scale(tuple(map(float, factors))))
 
 
@@ -185,7 +185,7 @@ def unapplied(obj):
 
 
 def noticed(obj):
-    """The hull_io.scaling.Scale in Blender's units by which Blender scaled the mesh of a hull
+    """The hull_io.scale.Scale in Blender's units by which Blender scaled the mesh of a hull
     since its particulars were as they are; None without."""
     state = hull_state.state_of(obj)
     return None if state is None else state.scaling.noticed()

@@ -92,7 +92,7 @@ _ZERO_IS_NONE = frozenset(
 
 
 def follow(obj, scale, metric):
-    """Gives a hull's settings what a hull_io.scaling.Scale in Blender's units makes of them;
+    """Gives a hull's settings what a hull_io.scale.Scale in Blender's units makes of them;
     metric: the same Scale in metres."""
     restore_guesses = _guesses(obj.hull.loading)
     for path, change in FOLLOWING.items():

@@ -4,7 +4,7 @@
 import numpy as np
 from mathutils.kdtree import KDTree
 
-from ....hull_io.scaling import Scale
+from ....hull_io.scale import Scale
 from ...bridge import limits
 from ...bridge.mesh import mesh_arrays, mesh_points
 from ...bridge.objects import curve_lines, field_faces

@@ -8,7 +8,10 @@ from ...bridge import native
 
 # Volumes from depths and from breadths that differ by more than this part are no rounding.
 _CLOSED_TOLERANCE = 1e-6
-_CLOSING = "Join its borders there or close it with faces: Select › Creases › Borders shows them"
+_CLOSING = (
+    "Join its borders there or close it with faces: Select › Creases › Borders shows them; a "
+    "whole hull whose sides are alike, and meet at stem or stern, is closed across by Make Half"
+)
 
 
 @dataclass(frozen=True)

@@ -58,7 +58,7 @@ def give_appendages(hull, given, scale, collection):
 
 
 def follow(hull, scale):
-    """Gives a hull's appendages what a hull_io.scaling.Scale in Blender's units makes of them;
+    """Gives a hull's appendages what a hull_io.scale.Scale in Blender's units makes of them;
     objects that are no bodies stay as they are."""
     for obj in appendages.of_hull(hull):
         try:

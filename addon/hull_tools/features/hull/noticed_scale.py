@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ....hull_io.scaling import LARGEST_FACTOR, Scale
+from ....hull_io.scale import LARGEST_FACTOR, Scale
 from ..constraints import plane_keeping
 
 # Factors and shifts (of the size) nearer to none are rounding, and so are other parts of a map.

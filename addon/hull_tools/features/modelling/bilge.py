@@ -19,8 +19,8 @@ from ...bridge.mesh import mesh_points
 from ...bridge.objects import hull_mesh
 from ..constraints import kept_points, point_locks
 from ..hull import hull_state
-from . import bilge_sections
-from .bilge_sections import beyond, corner_of, in_plane, sections_of
+from . import bilge_corners
+from .bilge_sections import beyond, in_plane, sections_of
 
 
 @dataclass(frozen=True)
@@ -41,7 +41,7 @@ def present_radius(obj, scene):
     about; ValueError as round_selected."""
     scale, control, mesh = _control(obj, scene)
     sections = _selected_sections(obj, control, mesh)
-    radius = bilge_sections.present_radius(sections[len(sections) // 2], control.points) / scale
+    radius = bilge_corners.present_radius(sections[len(sections) // 2], control.points) / scale
     return max(float(f"{radius:.3g}"), 1e-3)
 
 
@@ -91,7 +91,7 @@ def _fit(section, points, radius, move_borders):
     """(Corner, hull_native.BilgeArc) of a section."""
     if not radius > 0.0:
         raise ValueError("Give a radius above zero")
-    corner = corner_of(section, points, radius)
+    corner = bilge_corners.corner_of(section, points, radius)
     outer = [None, None]
     for k, end in enumerate((section.bottom, section.side)):
         if not end.is_crease and not end.is_moved:

@@ -13,11 +13,8 @@ import numpy as np
 
 from ...bridge import limits, native
 from ...bridge.objects import shown_objects
-from . import colours, surface_mesh
+from . import colours, surface_mesh, surface_writer
 
-# On the surface object's mesh: what its faces were made for, and a digest of them as they were
-# left. They are saved and undone with the mesh.
-_FACES, _FACES_LEFT = "hull_faces", "hull_faces_left"
 # More corners than these get their normals only when the hull does not move any longer: the time it
 # takes would be felt.
 _MOST_AT_A_PAUSE = 200_000
@@ -71,7 +68,7 @@ class ShownSurface:
         self.is_sliding = False
         self._surface = None
         self._points_key = None
-        self._stamp = None  # of the faces of `points`, see _Writer.stamp
+        self._stamp = None  # of the faces of `points`, see surface_writer
         self._left = _Left()
         self._are_looks_unseen = False  # the mesh was changed while its points alone were looked at
 
@@ -103,7 +100,7 @@ class ShownSurface:
 
     def _has_points_left(self, shown):
         mesh = shown.data
-        if not shown_objects.is_free(shown) or mesh.get(_FACES) != self._stamp:
+        if not shown_objects.is_free(shown) or mesh.get(surface_writer.FACES) != self._stamp:
             return False
         if self.points is None:  # the hull has other faces now: all is made anew
             return True
@@ -113,7 +110,7 @@ class ShownSurface:
         return points.shape == left.shape and np.array_equal(points.view("i4"), left.view("i4"))
 
     def _has_looks_left(self, mesh):
-        if mesh.get(_FACES_LEFT) != surface_mesh.faces_digest(mesh):
+        if mesh.get(surface_writer.FACES_LEFT) != surface_mesh.faces_digest(mesh):
             return False
         left = self._left.normals_digest
         if left is not None and left != surface_mesh.normals_digest(mesh):
@@ -237,7 +234,7 @@ class ShownSurface:
         self._update_points(samples, obj.hull.half, scale)
         if self._stamp is None:
             self._stamp = _stamp(geometry_key[0], samples, self.points.shared)
-        return _Writer(shown, self._surface, samples, self.points, self._stamp)
+        return surface_writer.SurfaceWriter(shown, self._surface, samples, self.points, self._stamp)
 
     def _update_points(self, samples, mirrored, scale):
         key = (samples, mirrored, scale)
@@ -256,58 +253,3 @@ def _stamp(topology_key, samples, shared):
     digest.update(repr(samples).encode())
     digest.update(shared.tobytes())
     return digest.hexdigest()
-
-
-class _Writer:
-    """Writes the mesh of the object `shown`: hull_native.ShownPoints of a surface, with faces of
-    which the stamp tells, and what goes with them."""
-
-    def __init__(self, shown, surface, samples, points, stamp):
-        self._shown, self._surface, self._samples = shown, surface, samples
-        self._points, self._stamp = points, stamp
-        self._known_tessellation = None
-
-    def write_points(self, is_known):
-        """Whether the faces were made anew, without normals. is_known: the object shows what it was
-        left with."""
-        mesh, coordinates = self._shown.data, self._points.coordinates
-        has_faces = mesh.get(_FACES) == self._stamp
-        if has_faces and (is_known or self._has_faces_left(mesh, coordinates)):
-            surface_mesh.move_surface(mesh, coordinates)
-            return False
-        quads, _ = surface_mesh.surface_faces(self._tessellation(), self._points.shared)
-        surface_mesh.write_surface(mesh, coordinates, quads)
-        mesh[_FACES], mesh[_FACES_LEFT] = self._stamp, surface_mesh.faces_digest(mesh)
-        return True
-
-    @staticmethod
-    def _has_faces_left(mesh, coordinates):
-        is_of_size = len(mesh.vertices) == len(coordinates)
-        return is_of_size and mesh.get(_FACES_LEFT) == surface_mesh.faces_digest(mesh)
-
-    def write_normals(self):
-        """Returns a digest of the normals as Blender keeps them."""
-        _, normals = surface_mesh.surface_faces(self._tessellation(), self._points.shared)
-        surface_mesh.write_normals(self._shown.data, normals)
-        return surface_mesh.normals_digest(self._shown.data)
-
-    def distances(self, field):
-        """hull_native.SurfaceDistances from a hull_native.DistanceField."""
-        return native.require().surface_distances(self._surface, self._tessellation(), field)
-
-    def write_colours(self, choice, values=None):
-        """Gives the surface object its colours; returns their scale, or None. values: distances."""
-        if choice is None:
-            colours.remove_colours(self._shown)
-            return None
-        tessellation = self._tessellation()
-        scale, of_normals = colours.coloured(self._surface, tessellation, choice, values)
-        corners = colours.linear(of_normals)[tessellation.normal_indices]
-        shared = self._points.shared
-        colours.write_colours(self._shown, surface_mesh.both_sides(tessellation, shared, corners))
-        return scale
-
-    def _tessellation(self):
-        if self._known_tessellation is None:
-            self._known_tessellation = self._surface.tessellate(self._samples)
-        return self._known_tessellation

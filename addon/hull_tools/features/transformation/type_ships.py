@@ -6,9 +6,9 @@ from functools import cache
 
 import bpy
 
-from ....hull_io.hull_data import shell_arrays
 from ....hull_io.new_hulls.type_ships import TYPE_SHIPS, as_new
 from ....hull_io.reading import read_hull
+from ....hull_io.shell import shell_arrays
 from ...bridge import native
 from ..hull import hull_creation, samples
 from . import form_parameters, parents, section_shifts
