@@ -53,8 +53,8 @@ std::string inverted_body_text(const surface::LimitSurface& surface, const Bodie
     return text + ". Turn them outwards, into the water: Turn Faces Outwards does that.";
   }
   return text +
-         ", or torn off another body, along whose border theirs lies. Join the two there: "
-         "merge the points that are there twice (Mesh › Merge › By Distance).";
+         ", or torn off another body, along whose border theirs lies. There "
+         "join the points that are there twice: Join Points does that.";
 }
 
 }  // namespace hull::analysis
