@@ -16,7 +16,7 @@ from pathlib import Path
 import hull_io
 import hull_native as hn
 import numpy as np
-from hull_native.hidden_lines import Eye, Sight
+from hull_native.drawings.hidden_lines import Eye, Sight
 from vessels import surface_of
 
 SAMPLE = Path(__file__).parents[1] / "samples" / "coaster.hull.json"

@@ -5,7 +5,7 @@ chords along the surface's sections, and against those sections."""
 import hull_native as hn
 import numpy as np
 import pytest
-from hull_native.seam_rules import centre_line
+from hull_native.production.seam_rules import centre_line
 from plate_hulls import one
 from production_hulls import body_of
 
