@@ -79,9 +79,9 @@ std::shared_ptr<const JoinedShells> joined_shells(const HullBody& body,
   }
   // Parts of lines, some four million a second and processor: three times what the sailing yacht's
   // rudder takes, which is a part of its hull's mesh, and five times what the samples' appendages
-  // take. A box keel of the hull's own takes up to ten million. With those of own_overlaps(), which
+  // take. A box keel of the hull's own takes eleven million. With those of own_overlaps(), which
   // is asked where this is refused, less than two seconds of two processors.
-  PartsLeft parts_left = appendages.empty() ? 11000000 : 20000000;
+  PartsLeft parts_left = appendages.empty() ? 12000000 : 20000000;
   return std::make_shared<const JoinedShells>(
       std::move(members), body.centre(), std::max(kFinestJoint, body.tolerance()), &parts_left);
 }

@@ -63,7 +63,9 @@ STAYING = frozenset(
     resistance.open_water_efficiency resistance.shaft_efficiency resistance.roughness_um
     resistance.wave_speed_kn resistance.holtrop.lcb_percent resistance.holtrop.midship
     resistance.holtrop.waterplane resistance.holtrop.entrance_angle_deg
-    resistance.delft.prismatic resistance.delft.midship
+    resistance.delft.prismatic resistance.delft.midship resistance.delft.keel_thickness
+    resistance.delft.rudder_thickness resistance.blade_area_ratio resistance.pitch_ratio
+    resistance.thruster_coefficient
     table.trims plots.size plan.width plan.height plan.scale plan.drawn plan.date plan.number
     export.tolerance
     model.scale model.tolerance model.wall model.machine_x model.machine_y model.machine_z
