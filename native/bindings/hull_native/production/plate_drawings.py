@@ -9,6 +9,7 @@ from .._core import plane_across
 from .._drawing import ShopDrawing
 from ..polylines import length_of
 from .plate_lists import all_sides, form_of
+from .plate_room import reach_within, roomy_place
 from .shop_files import shop_ending, write_shop_drawings
 
 _STRETCH_LINES = 6
@@ -69,7 +70,8 @@ def plate_drawing(one, *, marks=(), words=1.0):
         ("From x", f"{one.plate.box[0][0]:.2f} to {one.plate.box[1][0]:.2f} m"),
     ]
     drawing = ShopDrawing(f"Plate {one.name}", rows)
-    inner = 0.5 * (flat.points.min(axis=0) + flat.points.max(axis=0))
+    borders = [line for _, line in all_sides(flat)]
+    inner = roomy_place(flat, borders)
     for name, line in flat.sides:
         drawing.add_line("OUTLINE", 1000.0 * line)
         _put_side_words(drawing, name, line, inner, words)
@@ -83,7 +85,7 @@ def plate_drawing(one, *, marks=(), words=1.0):
             part = 0.25 if length_of(line) > 0.5 * length else 0.5
             _put_mark_words(drawing, curve.name, line, part, words)
     if isfinite(radius):
-        _put_rolling_line(drawing, flat, inner, words)
+        _put_rolling_line(drawing, flat, borders, inner, words)
     drawing.add_text(one.name, 1000.0 * inner, size=16.0 * words, lift=-20.0 * words)
     return drawing
 
@@ -108,11 +110,12 @@ def _put_mark_words(drawing, name, line, part, words):
     drawing.add_text(name, 1000.0 * at, size=7.0 * words, angle=upright(angle))
 
 
-def _put_rolling_line(drawing, flat, middle, words):
-    """Through the middle, as long as half the plate, with its words."""
+def _put_rolling_line(drawing, flat, borders, middle, words):
+    """Through the middle, as long as half the plate where that is within it, with its words."""
     way = np.array([cos(flat.rolling_angle), sin(flat.rolling_angle)])
     sizes = flat.points.max(axis=0)
     half = 0.25 * min(sizes[0] / max(abs(way[0]), 1e-9), sizes[1] / max(abs(way[1]), 1e-9))
+    half = min(half, 0.9 * reach_within(borders, middle, way))
     ends = middle + np.array([[-half], [half]]) * way
     drawing.add_line("ROLLING", 1000.0 * ends)
     at = middle + 0.6 * half * way
