@@ -36,19 +36,20 @@ def room_at(place, lines):
 
 
 def test_a_rectangle_has_it_in_its_middle():
-    place = roomy_place(
+    place, room = roomy_place(
         grid(lambda u, v: (8.0 * u, 2.0 * v)), [closed((0, 0), (8, 0), (8, 2), (0, 2))]
     )
-    assert place.tolist() == [4.0, 1.0]
+    assert place.tolist() == [4.0, 1.0] and room == 1.0
 
 
 def test_a_pointed_plate_has_it_at_its_broad_end():
     """The middle of the rectangle around is on the border; the largest circle is of radius
     (a + b - c) / 2."""
     border = [closed((0, 0), (10, 0), (0, 2))]
-    place = roomy_place(grid(lambda u, v: (10.0 * u * (1.0 - v), 2.0 * v)), border)
+    place, room = roomy_place(grid(lambda u, v: (10.0 * u * (1.0 - v), 2.0 * v)), border)
     radius = 0.5 * (10.0 + 2.0 - math.hypot(10.0, 2.0))
-    assert 0.8 * radius < room_at(place, border) <= radius
+    assert 0.8 * radius < room <= radius
+    assert room == pytest.approx(room_at(place, border), rel=1e-6)
     assert (place > 0.0).all() and place[1] < 2.0 - 0.2 * place[0]
 
 
@@ -60,8 +61,8 @@ def test_it_is_in_no_hole():
         closed((0, 0), (8, 0), (8, 2), (0, 2)),
         closed((3.4, 0.4), (4.6, 0.4), (4.6, 1.6), (3.4, 1.6)),
     ]
-    place = roomy_place(plate, lines)
-    assert room_at(place, lines) > 0.8 and abs(place[0] - 4.0) < 2.0
+    place, room = roomy_place(plate, lines)
+    assert room > 0.8 and abs(place[0] - 4.0) < 2.0
 
 
 def test_how_far_a_line_goes_within():

@@ -71,7 +71,7 @@ def plate_drawing(one, *, marks=(), words=1.0):
     ]
     drawing = ShopDrawing(f"Plate {one.name}", rows)
     borders = [line for _, line in all_sides(flat)]
-    inner = roomy_place(flat, borders)
+    inner, _ = roomy_place(flat, borders)
     for name, line in flat.sides:
         drawing.add_line("OUTLINE", 1000.0 * line)
         _put_side_words(drawing, name, line, inner, words)
@@ -205,10 +205,10 @@ def nesting_drawing(stock, name):
         shift = np.array([x, y])
         for line in one.outline:
             drawing.add_line("OUTLINE", 1000.0 * (line + shift))
-        middle = 0.5 * one.flat.points.max(axis=0) + shift
+        place, room = roomy_place(one.flat, [line for _, line in all_sides(one.flat)])
         # Small pieces lie close together.
-        size = min(max(_NAME * min(one.extents), 3.0), 20.0)
-        drawing.add_text(one.name, 1000.0 * middle, size=size)
+        size = min(max(_NAME * 2.0 * room, 3.0), 20.0)
+        drawing.add_text(one.name, 1000.0 * (one.as_laid(place) + shift), size=size)
     return drawing
 
 

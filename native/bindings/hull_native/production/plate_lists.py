@@ -42,10 +42,11 @@ class ListedPlate:
     @property
     def outline(self):
         """Lines (k, 2) of the flat plate's sides and its holes', m, seen from the water."""
-        lines = [line for _, line in all_sides(self.flat)]
-        if not self.is_turned:
-            return lines
-        return [line * [-1.0, 1.0] + [self.extents[0], 0.0] for line in lines]
+        return [self.as_laid(line) for _, line in all_sides(self.flat)]
+
+    def as_laid(self, places):
+        """Places (…, 2) of the flat plate, m, as they are on this piece."""
+        return places * [-1.0, 1.0] + [self.extents[0], 0.0] if self.is_turned else places
 
     @property
     def pieces(self):

@@ -9,8 +9,8 @@ _ENOUGH = 0.9
 
 
 def roomy_place(flat, lines):
-    """(2,) m: of a FlatPlate the middle of the rectangle around it where it has room, else the
-    nearest place that has. lines: (n, 2) of its border and of its holes."""
+    """((2,), m): of a FlatPlate the middle of the rectangle around it where it has room, else the
+    nearest place that has; how far the border is away. lines: (n, 2) of that and of its holes."""
     middle = 0.5 * (flat.points.min(axis=0) + flat.points.max(axis=0))
     corners = flat.points[flat.triangles]
     places = corners[:: max(1, len(corners) // _PLACES)].mean(axis=1)
@@ -19,8 +19,9 @@ def roomy_place(flat, lines):
     room = np.full(len(places), np.inf)
     for line in lines:
         np.minimum(room, _distances(places, line), out=room)
-    roomy = places[room >= _ENOUGH * room.max()]
-    return roomy[np.argmin(np.linalg.norm(roomy - middle, axis=1))]
+    roomy = np.flatnonzero(room >= _ENOUGH * room.max())
+    best = roomy[np.argmin(np.linalg.norm(places[roomy] - middle, axis=1))]
+    return places[best], float(room[best])
 
 
 def reach_within(lines, place, way):
