@@ -186,15 +186,14 @@ ShellMoments JoinedShells::wet_moments_of(const Piece& piece, const Plane& water
   return highest <= 0.0 ? piece.moments : moments_of(piece, &water, nullptr);
 }
 
+// By the caller alone: the water cuts few pieces, and many waters are asked for at once.
 ShellMoments JoinedShells::change(const Plane& water) const {
-  std::vector<ShellMoments> wet(pieces_.size());
+  ShellMoments sum;
   try {
-    for_each(pieces_.size(), [&](std::size_t i) { wet[i] = wet_moments_of(pieces_[i], water); });
+    for (const Piece& piece : pieces_) sum += wet_moments_of(piece, water);
   } catch (const SurfacesInOneAnother&) {
     refuse();
   }
-  ShellMoments sum;
-  for (const ShellMoments& moments : wet) sum += moments;
   return sum;
 }
 
