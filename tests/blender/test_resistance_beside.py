@@ -11,31 +11,30 @@ from test_panels import Drawn, context
 from test_resistance import planing, result_of
 
 
-def with_variant(method="HOLTROP"):
-    """The coaster beside itself as it was before it became broader."""
-    hull = sample("coaster")
-    own = hull.hull.resistance
-    own.method, own.speed_from, own.speed_to, own.speed_step = method, 10.0, 12.0, 1.0
+def kept_and_broadened(hull):
+    """The rows of a hull that is kept as it is, and then made broader."""
     before = result_of(hull).rows
     bpy.ops.hull.keep_variant(name="narrow")
     for vertex in hull.data.vertices:
         vertex.co.y *= 1.1
     hull.data.update()
     bpy.context.view_layer.update()
-    return hull, own, before
+    return before
+
+
+def with_variant(method="HOLTROP"):
+    """The coaster beside itself as it was before it became broader."""
+    hull = sample("coaster")
+    own = hull.hull.resistance
+    own.method, own.speed_from, own.speed_to, own.speed_step = method, 10.0, 12.0, 1.0
+    return hull, own, kept_and_broadened(hull)
 
 
 def with_planing_variant():
     """The planing boat by Savitsky beside herself as she was before she became broader."""
     hull, own = planing()
     own.deadrise, own.speed_from, own.speed_step = 0.0, 20.0, 5.0
-    before = result_of(hull).rows
-    bpy.ops.hull.keep_variant(name="narrow")
-    for vertex in hull.data.vertices:
-        vertex.co.y *= 1.1
-    hull.data.update()
-    bpy.context.view_layer.update()
-    return hull, own, before
+    return hull, own, kept_and_broadened(hull)
 
 
 def totals(rows):

@@ -64,20 +64,18 @@ class SymmetricFoil:
         """m³ within a hull that holds the root and not the tip, and which each line leaves once.
         is_half: the surface is the port half, and the foil on the centre plane."""
         tree, total = hn.SurfaceTree(surface), 0.0
-        # Of the thickness: across intervals from the middle out, or from side to side.
-        begin = 0.0 if is_half else -1.0
-        size = (1.0 - begin) / across
-        eta = (begin + size * (np.arange(across)[:, None] + 0.5 * (_RULE + 1.0))).ravel()
-        weights = np.tile(0.5 * size * _WEIGHTS, across) * (2.0 if is_half else 1.0)
+        eta, weights = _across(is_half, across)
         for x, y, slope, own in self._outline(pieces):
-            flat = np.stack(
-                [-np.repeat(x, len(eta)), np.outer(y, eta).ravel(), 0.0 * np.outer(y, eta).ravel()],
-                -1,
-            )
-            root, tip = self.root + self.chords[0] * flat, self.tip + self.chords[1] * flat
+            root, tip = self._lines(x, y, eta)
             ends = _only_crossings(tree, root, tip).reshape(len(x), len(eta))
             total += (own * y * slope) @ self._squares(ends) @ weights
         return self.height * total
+
+    def _lines(self, x, y, eta):
+        """(n, 3) at root and tip, of the lines x, η."""
+        side = np.outer(y, eta).ravel()
+        flat = np.stack([-np.repeat(x, len(eta)), side, 0.0 * side], -1)
+        return self.root + self.chords[0] * flat, self.tip + self.chords[1] * flat
 
     def outside_area(self, surface, is_half, pieces=3, along=6):
         """m² of both sides and the tip outside a hull that holds the root, which each line of the
@@ -116,14 +114,9 @@ class SymmetricFoil:
         """m² of a hull's surface within the foil, of both sides: where the lines x, η of
         share_within() cross it, with n · P_s dA = h c² y dx dη of the volume they sweep."""
         tree, total = hn.SurfaceTree(surface), 0.0
-        begin = 0.0 if is_half else -1.0
-        size = (1.0 - begin) / across
-        eta = (begin + size * (np.arange(across)[:, None] + 0.5 * (_RULE + 1.0))).ravel()
-        weights = np.tile(0.5 * size * _WEIGHTS, across) * (2.0 if is_half else 1.0)
+        eta, weights = _across(is_half, across)
         for x, y, slope, own in self._outline(pieces):
-            side = np.outer(y, eta).ravel()
-            flat = np.stack([-np.repeat(x, len(eta)), side, 0.0 * side], -1)
-            root, tip = self.root + self.chords[0] * flat, self.tip + self.chords[1] * flat
+            root, tip = self._lines(x, y, eta)
             hits = tree.ray_hits(root, tip - root)
             s = hits.distances / np.linalg.norm(tip - root, axis=1)
             normals = surface.normals(hits.cells, hits.uv)
@@ -132,6 +125,14 @@ class SymmetricFoil:
             pieces_of = (chord**2 / steep).reshape(len(x), len(eta))
             total += (own * y * slope) @ pieces_of @ weights
         return self.height * total
+
+
+def _across(is_half, intervals):
+    """Nodes and weights of the thickness, from the middle out, or from side to side."""
+    begin = 0.0 if is_half else -1.0
+    size = (1.0 - begin) / intervals
+    nodes = (begin + size * (np.arange(intervals)[:, None] + 0.5 * (_RULE + 1.0))).ravel()
+    return nodes, np.tile(0.5 * size * _WEIGHTS, intervals) * (2.0 if is_half else 1.0)
 
 
 def _only_crossings(tree, begins, ends):
