@@ -51,7 +51,7 @@ void for_ranges(std::size_t count,
 }  // namespace
 
 ShapeFields::ShapeFields(std::vector<ShapeField> fields, bool mirrored, FieldBlend blend)
-    : fields_(std::move(fields)), blend_(blend), mirrored_(mirrored) {
+    : fields_(std::move(fields)), blend_(blend) {
   for (std::size_t i = 0; i < fields_.size(); ++i) {
     ShapeField& field = fields_[i];
     const std::string name = "Field " + std::to_string(i);
@@ -67,9 +67,9 @@ ShapeFields::ShapeFields(std::vector<ShapeField> fields, bool mirrored, FieldBle
       if (!shift.allFinite()) throw std::invalid_argument(name + ": the shift is no number.");
     }
     const double extent = *std::ranges::min_element(field.extent.values());
-    is_in_plane_.push_back(mirrored && field.base->is_in_centre_plane(kOwnImage * extent));
-    sides_.push_back({i, is_in_plane_[i] ? FieldSide::kBoth : FieldSide::kOwn});
-    if (mirrored_ && !is_in_plane_[i]) sides_.push_back({i, FieldSide::kImage});
+    const bool is_in_plane = mirrored && field.base->is_in_centre_plane(kOwnImage * extent);
+    sides_.push_back({i, is_in_plane ? FieldSide::kBoth : FieldSide::kOwn});
+    if (mirrored && !is_in_plane) sides_.push_back({i, FieldSide::kImage});
   }
 }
 
@@ -178,13 +178,14 @@ std::vector<FieldShift> ShapeFields::at(FieldPlaces& places) const {
 }
 
 double ShapeFields::delta(int field, const Vector3d& p) const {
-  const auto of = [&](const Vector3d& at) {
-    const FieldSide side = is_in_plane_[field] ? FieldSide::kBoth : FieldSide::kOwn;
-    const BaseFoot foot = foot_of(fields_[field], at, side, surface::kInfinity);
-    return foot.distance / fields_[field].extent.at(foot.length).value;
-  };
-  const double own = of(p);
-  return mirrored_ && !is_in_plane_[field] ? std::min(own, of({p.x(), -p.y(), p.z()})) : own;
+  const ShapeField& own = fields_[field];
+  double least = surface::kInfinity;
+  for (const Side& side : sides_) {
+    if (static_cast<int>(side.field) != field) continue;
+    const BaseFoot foot = foot_of(own, p, side.side, surface::kInfinity);
+    least = std::min(least, foot.distance / own.extent.at(foot.length).value);
+  }
+  return least;
 }
 
 }  // namespace hull::modelling

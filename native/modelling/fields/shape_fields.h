@@ -113,9 +113,7 @@ class ShapeFields {
 
   std::vector<ShapeField> fields_;
   std::vector<Side> sides_;
-  std::vector<char> is_in_plane_;  // by field: it has one side, FieldSide::kBoth
   FieldBlend blend_;
-  bool mirrored_;
 };
 
 }  // namespace hull::modelling

@@ -196,14 +196,8 @@ def _slits(control, on_plane=None):
 
 
 def _slit_warnings(control):
-    found = slits(control)
-    if not len(found):
-        return []
-    message = (
-        f"{_there_twice(found, 'of the centre line')}, so that the two sides are not joined: join "
-        "them"
-    )
-    return [_pairs_problem(control, found, message, "JOIN")]
+    where, apart = "of the centre line", "so that the two sides are not joined"
+    return _twice_warnings(control, slits(control), where, apart, "JOIN")
 
 
 def doubled(control, half):
@@ -216,24 +210,20 @@ def doubled(control, half):
 
 
 def _doubled_warnings(control, half):
-    found = doubled(control, half)
+    reach = 1e3 * _dust(control.points)
+    apart = f"within {reach:.2g} mm, so that the faces on both sides are not joined"
+    return _twice_warnings(control, doubled(control, half), "of borders", apart, "POINTS")
+
+
+def _twice_warnings(control, found, where, apart, remedy):
+    """Of pairs of points; where they are, and what they leave apart."""
     if not len(found):
         return []
-    message = (
-        f"{_there_twice(found, 'of borders')}, within {1e3 * _dust(control.points):.2g} mm, so "
-        "that the faces on both sides are not joined: join them"
-    )
-    return [_pairs_problem(control, found, message, "POINTS")]
-
-
-def _there_twice(found, where):
     kept = len(np.unique(found[:, 0]))
-    return f"{counted(kept, 'point')} {where} {'is' if kept == 1 else 'are'} there twice"
-
-
-def _pairs_problem(control, found, message, remedy):
+    are = "is" if kept == 1 else "are"
+    message = f"{counted(kept, 'point')} {where} {are} there twice, {apart}: join them"
     elements = tuple(control.vertex_ids[np.unique(found)].tolist())
-    return Problem("warning", "vertex", elements, message, remedy)
+    return [Problem("warning", "vertex", elements, message, remedy)]
 
 
 def _dust(points):
