@@ -72,6 +72,25 @@ def test_it_follows_points_that_are_kept_meanwhile(plane):
     bpy.ops.hull.cancel_fields()
 
 
+def test_it_follows_a_flat_side_that_is_released_meanwhile():
+    hull, flats = sample("barge"), part("features.constraints.flats")
+    breadth = points_of(hull)[:, 1].max()
+    side = [face.index for face in hull.data.polygons
+            if all(hull.data.vertices[i].co.y == breadth for i in face.vertices)]  # fmt: skip
+    number = flats.mark(hull, side, np.array([0.0, 1.0, 0.0, breadth]))
+    add(hull, side_point(hull), extent=40.0, shift=(0.0, 0.2, 0.1))
+    bpy.ops.hull.preview_fields()
+    of_side = np.unique([i for face in side for i in hull.data.polygons[face].vertices])
+    assert (points_of(hull)[of_side, 1] == breadth).all()
+    flats.release(hull, side)
+    hull.data.update_tag()
+    changed()
+    assert number not in {region.number for region in flats.regions(hull)}
+    assert not preview_oracle.differences(hull, bpy.context.scene)
+    assert points_of(hull)[of_side, 1].max() > breadth + 0.1
+    bpy.ops.hull.cancel_fields()
+
+
 def test_each_change_is_followed_once(monkeypatch):
     """The points go first: nothing is computed of them as they were before."""
     live_ship, followed = part("features.flotation.live_ship").LiveShip, []

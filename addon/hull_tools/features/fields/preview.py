@@ -14,7 +14,7 @@ import numpy as np
 from ...bridge.blender import units
 from ...bridge.mesh import mesh_points, start_points
 from ...bridge.objects import curve_lines, field_faces, field_rows, hull_mesh, hull_objects
-from ..constraints import kept_points, point_locks
+from ..constraints import kept_points, move_limits
 from ..hull import hull_state
 from ..modelling import exact_subdivision, row_insertion
 from . import field_list, prepared, shaping
@@ -114,7 +114,7 @@ def placed(obj, scene, found, keep):
         preview.put_off(_FOREIGN)
         return found
     scale = units.metres_per_unit(scene)
-    key = (_values(obj), start.tobytes(), found.topology_key, scale, _held(obj))
+    key = (_values(obj), start.tobytes(), found.topology_key, scale, _held(obj, start))
     if (preview.key, preview.shown) == (key, found.points_digest):
         return found
     preview.key, preview.shown = key, found.points_digest
@@ -239,11 +239,11 @@ def _curves_of(obj):
     return ({field.curve, field.becomes} for field in obj.hull.fields.fields)
 
 
-def _held(obj):
-    """Which points are locked or kept in planes, and where: the fields go by that too."""
-    kept = kept_points.read(obj.data)
-    arrays = point_locks.locked_points(obj.data), kept.indices, kept.is_kept, kept.places
-    return tuple(array.tobytes() for array in arrays)
+def _held(obj, start):
+    """What the points, from where they were at the start, may do: the fields go by that too. Equal
+    where it is the same."""
+    limits = move_limits.of_hull(obj, np.arange(len(start)), start)
+    return *limits.key(), kept_points.read(obj.data).places.tobytes()
 
 
 def _values(obj):
