@@ -91,6 +91,21 @@ def test_it_follows_a_flat_side_that_is_released_meanwhile():
     bpy.ops.hull.cancel_fields()
 
 
+def test_it_follows_a_point_that_is_tied_meanwhile():
+    """To one that the field does not move, and so it stays as well."""
+    hull, _, before = previewed()
+    moved = np.linalg.norm(points_of(hull) - before, axis=1)
+    follower, leader = int(moved.argmax()), int(moved.argmin())
+    anchor = part("bridge.mesh.point_ties").ANCHOR
+    part("features.constraints.ties").tie_points(hull, anchor, [follower], [(leader, leader)])
+    hull.data.update_tag()
+    changed()
+    assert not preview_oracle.differences(hull, bpy.context.scene)
+    assert np.array_equal(points_of(hull)[follower], before[follower])
+    bpy.ops.hull.cancel_fields()
+    assert np.array_equal(points_of(hull), before)
+
+
 def test_each_change_is_followed_once(monkeypatch):
     """The points go first: nothing is computed of them as they were before."""
     live_ship, followed = part("features.flotation.live_ship").LiveShip, []

@@ -78,6 +78,19 @@ def kept(obj, data, memory, is_by_hand):
     return data
 
 
+def hold_from(obj, points):
+    """Ties that points (n, 3) of the mesh do not hold, where a tool is to bring it back, have their
+    distances and shares from these: they were made while it showed the points elsewhere."""
+    ties = point_ties.read(obj.data)
+    if ties is None:
+        return
+    off = np.isin(ties.kinds, _FREE_KINDS) & _are_off(ties, points)
+    if off.any():
+        stays = held_elsewhere(obj, ties.points[off], ties.solved(points), points)
+        rows = np.flatnonzero(off & ~np.isin(ties.points, stays))
+        tie_writing.give_numbers(obj.data, ties, rows, ties.numbers_at(points)[rows])
+
+
 def _is_other_mesh(data, memory):
     return memory.points is not None and len(memory.points) != len(data.points)
 

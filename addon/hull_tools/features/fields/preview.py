@@ -14,7 +14,7 @@ import numpy as np
 from ...bridge.blender import units
 from ...bridge.mesh import mesh_points, start_points
 from ...bridge.objects import curve_lines, field_faces, field_rows, hull_mesh, hull_objects
-from ..constraints import kept_points, move_limits
+from ..constraints import kept_points, move_limits, tie_keeping
 from ..hull import hull_state
 from ..modelling import exact_subdivision, row_insertion
 from . import field_list, prepared, shaping
@@ -117,6 +117,7 @@ def placed(obj, scene, found, keep):
     key = (_values(obj), start.tobytes(), found.topology_key, scale, _held(obj, start))
     if (preview.key, preview.shown) == (key, found.points_digest):
         return found
+    tie_keeping.hold_from(obj, start)
     preview.key, preview.shown = key, found.points_digest
     preview.problem, preview.waits = "", False
     try:
@@ -145,6 +146,7 @@ def _end(obj, is_kept):
     """Returns the hulls that are not previewed any longer."""
     start, hulls = start_points.read(obj.data), [obj]
     if start is not None and not is_kept:
+        tie_keeping.hold_from(obj, start)
         mesh_points.write(obj.data, np.arange(len(start)), start)
     start_points.forget(obj.data)
     obj.hull.fields.is_previewed = False
