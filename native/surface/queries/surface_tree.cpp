@@ -21,6 +21,7 @@ int* halve(int* begin, int* end, const std::vector<Eigen::AlignedBox3d>& boxes) 
   int* middle = begin + (end - begin) / 2;
   std::nth_element(begin, middle, end, [&](int a, int b) {
     const double x = boxes[a].center()[axis], y = boxes[b].center()[axis];
+    // By number among equal ones: the same tree everywhere.
     return x < y || (x == y && a < b);
   });
   return middle;
@@ -72,6 +73,7 @@ SurfaceTree::SurfaceTree(const LimitSurface& surface, const std::vector<int>& ce
   shapes_ = std::move(shapes);
   for (Node& node : nodes_) {
     for (std::int32_t& child : node.child) {
+      // Deep corners keep their numbers, as they follow all pieces.
       if (child < kNoChild) child = -2 - now[item(child)];
     }
   }
@@ -105,6 +107,7 @@ void SurfaceTree::collect(int cell, const SurfaceNode& node, const DomainSquare&
         }
       }
       CornerPoints points;
+      // Their points are taken with those of the pieces, now and at each refit().
       points.limit.setZero();
       deep_corners_.push_back({{cell, node.turn, square, {0.0, 0.0, 1.0}}, node.index, points});
       break;
@@ -149,6 +152,7 @@ std::int32_t SurfaceTree::build(int* begin, int* end,
   const std::int32_t index = static_cast<std::int32_t>(nodes_.size());
   nodes_.emplace_back();
   int* middle = halve(begin, end, boxes);
+  // Two halvings give four children; a node of three items or fewer leaves some without any.
   int* cuts[] = {begin, begin == middle ? begin : halve(begin, middle, boxes), middle,
                  halve(middle, end, boxes), end};
   for (int k = 0; k < 4; ++k) {

@@ -34,6 +34,7 @@ Basis blossom_weights(double x, double y, double z) {
   return weights;
 }
 
+// Bezier points over [a, b] are values of the blossom (Ramshaw 1989).
 std::array<Basis, 4> bezier_weights(double a, double b) {
   return {blossom_weights(a, a, a), blossom_weights(a, a, b), blossom_weights(a, b, b),
           blossom_weights(b, b, b)};
@@ -73,6 +74,7 @@ struct Direction {
   }
   // Bound on the part of v across any chord in this direction.
   double across(const Vector3d& v) const {
+    // Turning the direction by asin(turning) takes that share of the part along it across at most.
     const double along = v.dot(mean) / length;
     return std::sqrt(std::max(0.0, v.squaredNorm() - along * along)) + std::abs(along) * turning;
   }
@@ -119,6 +121,7 @@ double smooth_bound(const BicubicPoints& bezier, int nu, int nv) {
       if (i < 3 && j < 3) uv.add(9.0 * h * k * (p[5] - p[4] - p[1] + p[0]));
     }
   }
+  // Nothing slides: this holds whatever the directions.
   const double all = (uu.longest() + vv.longest()) / 8.0 + uv.longest() / 4.0;
   const Direction a(u), b(v);
   if (!(a.turning < kMostTurning && b.turning < kMostTurning)) return all;
@@ -160,8 +163,11 @@ QuadGauge::QuadGauge(const std::array<Vector3d, 4>& corners) : corners_(corners)
     dented = i;
     dent_ = distance_to_segment(q[i], before, after);
   }
+  // An outline that crosses itself.
   if (dents > 1) return;
   for (int i = 0; i < 4; ++i) {
+    // Without the dented corner it is convex, and so is the distance from it. It is too large then
+    // by the dent, which bound() adds.
     if (dents == 0 || i != dented) outline_.push_back(q[i]);
   }
   flat_enough_ = true;

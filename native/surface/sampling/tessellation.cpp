@@ -74,6 +74,7 @@ class Numbering {
       for (int h = start; h >= 0 && corners_[h] < 0; h = mesh::turn_left(cells_, h)) {
         corners_[h] = sector;
       }
+      // The first half-edge may be in the middle of its sector.
       for (int h = mesh::turn_right(cells_, start); h >= 0 && corners_[h] < 0;
            h = mesh::turn_right(cells_, h)) {
         corners_[h] = sector;
@@ -99,6 +100,7 @@ class Numbering {
   int on_side(int h, int i, int n) const {
     if (i == 0) return corners_[h];
     if (i == n) return corners_[cells_.next(h)];
+    // Numbers run along the edge's front half-edge; its twin runs against them.
     return edges_[h] + (cells_.is_edge_front(h) ? i : n - i) - 1;
   }
 
@@ -149,6 +151,7 @@ class Builder {
         const int point = points_.at(cell, i, j), normal = normals_.at(cell, i, j);
         point_at_.push_back(point);
         normal_at_.push_back(normal);
+        // The first cell gives it to all that share it.
         if (!has_normal_[normal]) {
           has_normal_[normal] = 1;
           Vector3d& value = result_.normals[normal];
