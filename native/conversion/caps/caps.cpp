@@ -32,6 +32,7 @@ bool is_plane(const BorderChain& loop, double tolerance) {
   for (const Vector3d& point : points) {
     moments += (point - centre) * (point - centre).transpose();
   }
+  // The direction of the least moment.
   const Vector3d normal =
       Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(moments).eigenvectors().col(0);
   return std::ranges::all_of(points, [&](const Vector3d& point) {
@@ -55,6 +56,8 @@ FarSide find_images(const BorderChain& loop, double tolerance) {
     BSplineCurve image = step.curve.reversed();
     for (Vector3d& point : image.points) point = mirrored(point, far.y);
     for (const BorderStep& other : loop) {
+      // Ends first, as curves are sampled. An image runs the other way along the border, and an
+      // edge may be its own.
       if (!near(step.curve.points.front(), other.curve.points.back()) ||
           !near(step.curve.points.back(), other.curve.points.front()) ||
           gap_between(image, other.curve) > tolerance) {
@@ -105,6 +108,8 @@ class Closer {
       }
     }
     is_port_half_ = high > -low;
+    // A set without borders in the plane is no half hull, even on one side: a rudder beside it,
+    // say.
     const bool one_side = std::min(-low, high) <= kOnCentrePlane * size_;
     is_half_ = one_side && std::ranges::any_of(loops, [&](const BorderChain& loop) {
                  return std::ranges::any_of(loop, [&](const BorderStep& step) {
@@ -124,8 +129,10 @@ class Closer {
     FarSide far;
     BorderChain chain;
     for (const BorderStep& step : loop) {
+      // A chain ends wherever the border touches the plane, also if it leaves it again at once.
       if (!chain.empty() && is_there(step)) close_chain(chain, far);
       if (lies_in_centre_plane(step.curve, size_)) {
+        // Reversed, as the face in the plane is on its other side.
         in_plane_.push_back({step.edge, true});
       } else {
         chain.push_back(step);
@@ -164,9 +171,12 @@ class Closer {
     const auto is_on_side = [&](const BorderStep& step) {
       return far.edges.at(step.edge) != step.edge && step.curve.position(0.5).y() > far.y;
     };
+    // At a vertex that is its own image, on the plane of symmetry, or before an edge that leads
+    // across.
     const auto ends_here = [&](const BorderStep& step, const BorderStep& next) {
       return far.vertices.at(step.to) == step.to || !is_on_side(next);
     };
+    // The loop may begin in the middle of a chain.
     const auto starts = [&](std::size_t i) {
       const BorderStep& last = loop[(i + loop.size() - 1) % loop.size()];
       return is_on_side(loop[i]) && (!is_on_side(last) || ends_here(last, loop[i]));
@@ -213,6 +223,7 @@ class Closer {
 void divide(PatchSet& set, const EdgeUse& use) {
   PatchSide& side = set.sides[use.patch][use.side];
   const auto first = side.begin() + use.part;
+  // The middle by its parameter: an edge that is its own image at equal parameters crosses there.
   SideEdge second = *first;
   first->end = second.begin = 0.5 * (first->begin + first->end);
   first->to = second.from = set.vertex_count++;

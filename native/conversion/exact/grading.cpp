@@ -97,6 +97,7 @@ class Grader {
     for (std::size_t i = 0; i < most.size(); ++i) {
       int& last = last_[groups_.find(static_cast<int>(i))];
       // There are knots within the corner squares as well.
+      // 2^-k of a cell is 2^-k / most of the patch.
       const int here = static_cast<int>(-std::log2(kClosestKnots * most[i])) - kMostInner;
       last = std::min(last, std::max(here, kFirstGrading));
     }
@@ -140,6 +141,7 @@ class Grader {
     const std::vector<char> still_missed = groups_with(points, misses);
     for (int point : points) {
       const int group = groups_.find(point);
+      // A group that kept its limits before, with many halvings, goes back to that.
       if (missed[group] || !still_missed[group]) continue;
       of_group_[group] = gradings_before[group];
       fans_[point] = fans_before[point];
@@ -183,6 +185,7 @@ class Grader {
     if (!is_irregular_[vertex]) return;
     const SquareFan& fan = fans_[vertex].fan;
     const auto found = std::ranges::find(fan.half_edges, h) - fan.half_edges.begin();
+    // In this block the point may be regular, as beyond a crease.
     if (!fan.graded[found]) return;
     const CornerNet& net = fan.nets[found];
     for (int i = 0; i <= net.inner; ++i) {

@@ -13,6 +13,7 @@ namespace {
 int find_span(const std::vector<double>& knots, int degree, double t) {
   const auto begin = knots.begin() + degree;
   const auto end = knots.end() - degree - 1;
+  // At the end: the last knot below it begins the span, however often the end is repeated.
   if (t >= *end) return static_cast<int>(std::lower_bound(begin, end, *end) - knots.begin()) - 1;
   return static_cast<int>(std::upper_bound(begin, end, t) - knots.begin()) - 1;
 }
@@ -26,6 +27,8 @@ Eigen::VectorXd functions_of_span(const std::vector<double>& knots, int degree, 
   for (int p = 1; p <= degree; ++p) {
     double carried = 0.0;
     for (int r = 0; r < p; ++r) {
+      // Both sums of the recursion at once: the left part of a function is carried to its
+      // neighbour. No difference is zero, as the span has a width.
       const double right = knots[span + r + 1], left = knots[span + r + 1 - p];
       const double share = values(r) / (right - left);
       values(r) = carried + (right - t) * share;
@@ -92,6 +95,7 @@ BasisValues basis_values(const std::vector<double>& knots, int degree, double t)
       differentiated(knots, degree, span, functions_of_span(knots, degree - 1, span, t))
           .transpose();
   if (degree >= 2) {
+    // Twice the rule of first derivatives, from two degrees below.
     const auto lowest = functions_of_span(knots, degree - 2, span, t);
     const auto lower = differentiated(knots, degree - 1, span, lowest);
     basis.rows.row(2) = differentiated(knots, degree, span, lower).transpose();
@@ -180,6 +184,7 @@ double BSplinePatch::side_length(int side) const { return side_curve(side).polyg
 
 BSplinePatch BSplinePatch::turned() const {
   BSplinePatch result;
+  // New u runs along the old v, new v against the old u.
   result.degree_u = degree_v;
   result.degree_v = degree_u;
   result.knots_u = knots_v;
