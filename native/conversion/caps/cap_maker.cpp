@@ -265,6 +265,7 @@ void CapMaker::add_patch(const BorderStep& step, const Run& run, const EdgePath&
   const surface::SurfaceJet middle = patch.evaluate(0.5, 0.5);
   Cap cap;
   cap.kind = kind_of(middle.du.cross(middle.dv));
+  // v runs from the far side to the border, which becomes side 1 by turning.
   cap.loops = {backwards(run.finish), {{step.edge, true}}, run.start, far_edge};
   cap.patch = patch.turned();
   result_.caps.push_back(std::move(cap));

@@ -150,6 +150,7 @@ class Closer {
   void close_alone(const BorderChain& loop) {
     if (is_plane(loop, maker_.tolerance())) {
       EdgePath path;
+      // A face runs along its border against the patch beyond.
       for (auto step = loop.rbegin(); step != loop.rend(); ++step) {
         path.push_back({step->edge, true});
       }

@@ -126,6 +126,7 @@ surface::SurfaceJet BSplinePatch::evaluate(double u, double v) const {
   const BasisValues along_v = basis_values(knots_v, degree_v, v);
   surface::SurfaceJet result;
   for (int i = 0; i <= degree_u; ++i) {
+    // Sums along v first, for all orders at once.
     Eigen::Matrix3d row = Eigen::Matrix3d::Zero();  // column d: d-th derivative along v
     for (int j = 0; j <= degree_v; ++j) {
       const Vector3d& point = control_point(along_u.first + i, along_v.first + j);

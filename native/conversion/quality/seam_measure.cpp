@@ -145,6 +145,7 @@ class SeamMeasure {
 
  private:
   void find_irregular_ends() {
+    // The other bank begins where this one ends.
     ends_ = {one_.jet(0.0).point, one_.jet(1.0).point};
     is_irregular_ = {one_.begins_at_irregular_point(gauge_),
                      two_.begins_at_irregular_point(gauge_)};
@@ -155,6 +156,7 @@ class SeamMeasure {
     const surface::SurfaceJet here = one_.jet(t), there = two_.jet(1.0 - t);
     const Vector3d middle = 0.5 * (here.point + there.point);
     const CellPoint place = one_.has_cells() ? one_.place(t) : two_.place(1.0 - t);
+    // At equal shares of the edge first: mostly nothing nearer need be looked for.
     double gap = (here.point - there.point).norm();
     if (gap > gauge_.negligible()) gap = two_.distance(here.point, 1.0 - t);
     found_.gap.take(gap, middle, place);

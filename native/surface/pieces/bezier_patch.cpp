@@ -189,6 +189,7 @@ HULL_WIDE PatchShape shape_of(const BezierPatch& patch) {
     double sum = 0.0;
     for (int i = 0; i < 16; ++i) sum += p[i];
     shape.centre[k] = sum / 16.0;
+    // The mean over the square: Bernstein's four polynomials have the integral 1/4 each.
     mean_u[k] = 0.25 * ((p[3] - p[0]) + (p[7] - p[4]) + (p[11] - p[8]) + (p[15] - p[12]));
     mean_v[k] = 0.25 * ((p[12] - p[0]) + (p[13] - p[1]) + (p[14] - p[2]) + (p[15] - p[3]));
   }

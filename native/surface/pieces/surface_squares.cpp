@@ -96,6 +96,7 @@ class SurfaceSquares::Builder {
   }
 
   int corner_kind(const CornerBasis& basis) {
+    // A layout has one basis for all corners of a kind, so its address tells.
     const auto [known, is_new] = corner_kinds_.try_emplace(&basis, kind_count());
     if (is_new) squares_.kinds_.push_back({&basis, {}, {}});
     return known->second;

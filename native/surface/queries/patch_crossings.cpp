@@ -10,6 +10,8 @@
 namespace hull::surface {
 namespace {
 
+// Parts of a piece that are looked at before the extent of what touches is doubled, and from then
+// on between doublings.
 constexpr int kFreeCrossings = 4000, kCrossingsPerDoubling = 500;
 // Derivatives near the unit matrix need a few; what has not settled then is cut.
 constexpr int kNewtonSteps = 12;
@@ -80,6 +82,7 @@ void roots(const double* h, double from, double to, double tolerance, const Visi
   const bool falls = h[1] <= h[0] && h[2] <= h[1] && h[3] <= h[2];
   const double width = to - from;
   if (rises || falls || width < 0x1p-40) {
+    // The same place may be told by both parts beside it: only the first and the last one count.
     if (std::abs(h[0]) <= tolerance) visit(from);
     if (std::abs(h[3]) <= tolerance) visit(to);
     // Bisection: it needs no derivative, which may vanish at a root.

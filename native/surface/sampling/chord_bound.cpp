@@ -42,6 +42,7 @@ std::array<Basis, 4> bezier_weights(double a, double b) {
 
 // Largest and mean vectors of a derivative's control points.
 struct Net {
+  // First derivatives have the most, 3 x 4.
   std::array<Vector3d, 12> at;
   int count = 0;
 
@@ -109,6 +110,7 @@ BicubicPoints bezier_points(const BicubicPoints& span, double u0, double u1, dou
 }
 
 double smooth_bound(const BicubicPoints& bezier, int nu, int nv) {
+  // Derivatives are taken by the parameters of a part, so that its sides have the length 1.
   const double h = 1.0 / nu, k = 1.0 / nv;
   Net u, v, uu, vv, uv;
   for (int j = 0; j < 4; ++j) {
@@ -130,6 +132,7 @@ double smooth_bound(const BicubicPoints& bezier, int nu, int nv) {
   // How far a normal can turn within the patch.
   const double turning =
       a.length * b.length * (a.turning + b.turning + a.turning * b.turning) / area;
+  // Not a number where u and v run the same way in the mean.
   if (!(turning < kMostTurning)) return all;
   const double sag = uu.largest([&](const Vector3d& d) { return a.across(d); }) +
                      vv.largest([&](const Vector3d& d) { return b.across(d); });
@@ -141,6 +144,7 @@ double smooth_bound(const BicubicPoints& bezier, int nu, int nv) {
 }
 
 QuadGauge::QuadGauge(const std::array<Vector3d, 4>& corners) : corners_(corners) {
+  // A plane along both diagonals and halfway between them, from which all corners are equally far.
   const Vector3d d1 = corners[2] - corners[0], d2 = corners[3] - corners[1];
   normal_ = d1.cross(d2);
   const double length = normal_.norm();

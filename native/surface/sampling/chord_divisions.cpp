@@ -164,6 +164,7 @@ class CellCheck {
 
 // The parts to try after n, given how much too large the bound is: it falls as 1/n² or slower.
 int grown(int n, double ratio) {
+  // What is more than allowed tells that nothing does.
   if (n == kMostDivisions) return n + 1;
   const int more = static_cast<int>(n * std::min(2.0, std::sqrt(ratio)));
   return std::clamp(more, n + 1, kMostDivisions);

@@ -46,6 +46,7 @@ class Numbering {
   int take(std::int64_t more) {
     const std::int64_t first = count_;
     count_ += more;
+    // Before anything of that size is made.
     if (count_ > std::numeric_limits<int>::max()) {
       throw std::invalid_argument(
           "The tessellation would have more than 2^31 points. Divide cells "
