@@ -112,7 +112,7 @@ bool LimitSurface::is_irregular_knot(int cell, double u, double v) const {
 
 Vector3d LimitSurface::normal(int cell, double u, double v) const {
   const PlaceInCell place = find_place(*layout_, cell, u, v);
-  // There the tangent plane is that of the leading modes, as derivatives are zero.
+  // At a knot the tangent plane is that of the leading modes, as derivatives are zero.
   if (is_knot(place)) {
     const Vector3d direction =
         layout_->basis(place.node.index).corner_normal(corners_[place.node.index]);

@@ -78,6 +78,8 @@ PatchBody::PatchBody(const PatchPieces& pieces, bool mirrored)
   for (const auto& piece : pieces.set().patches) {
     for (const Vector3d& point : piece.control_points) box.extend(point);
   }
+  // Moments are taken about it: near the hull for rounding, and in the plane so that those of the
+  // other half differ by signs alone.
   if (!box.isEmpty()) centre_ = on_centre_plane(box.center());
   for (const PatchPieces::Piece& piece : pieces.pieces()) add(piece.points, false);
   for (const auto& loop : border_loops(pieces.uses(), pieces.set().edge_count)) close(loop);

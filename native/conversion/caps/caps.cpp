@@ -48,6 +48,7 @@ FarSide find_images(const BorderChain& loop, double tolerance) {
   }
   FarSide far;
   far.is_plane = false;
+  // Control points of a symmetric border are symmetric, and so is the box around them.
   far.y = box.center().y();
   const auto near = [&](const Vector3d& a, const Vector3d& b) {
     return (mirrored(a, far.y) - b).norm() <= tolerance;
@@ -126,6 +127,7 @@ class Closer {
     const auto first = std::ranges::find_if(loop, is_there);
     if (first == loop.end()) return false;
     std::rotate(loop.begin(), first, loop.end());
+    // One for all chains of the border, which so share the vertices that are made in the plane.
     FarSide far;
     BorderChain chain;
     for (const BorderStep& step : loop) {

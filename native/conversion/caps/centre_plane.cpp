@@ -47,6 +47,7 @@ class Loops {
       loop.path.push_back(edge);
       add_points(edge, loop.polygon);
       const int at = maker_.to(edge);
+      // Back where it began, even if others go on from there.
       if (at == vertex) break;
       edge = take_next(edge, at);
     }

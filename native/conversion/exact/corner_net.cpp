@@ -128,7 +128,7 @@ CornerNet corner_net(const surface::LimitSurface& surface, int h, const Grading&
   assert(grading.halvings > node.halvings && grading.inner <= kMostInner);
   const surface::CornerBasis& basis = surface.layout().basis(node.index);
   surface::CornerRing ring(basis, surface.corner(node.index));
-  // The first ring is around a square half of the knot's node, which may be a quadrant already.
+  // The first ring's inner square is half of the knot's node, which may be a quadrant already.
   for (int k = node.halvings + 1; k < grading.halvings; ++k) ring.advance();
   // The ring around the corner square, then those within.
   std::vector<RingSpans> rings;

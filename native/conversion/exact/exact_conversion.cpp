@@ -89,7 +89,7 @@ class SetBuilder {
     const double count = static_cast<double>(half_edges.size());
     for (std::size_t i = 0; i < half_edges.size(); ++i) {
       const int h = half_edges[i], from = cells_.origin(h), to = cells_.origin(cells_.next(h));
-      // A corner of some block lies here, so that an edge ends.
+      // A corner of some block lies here, or the border leaves the centre plane.
       if (i == 0 || is_end_[from]) {
         side.push_back({cells_.edge(h), from, to, static_cast<double>(i) / count, 1.0});
       }

@@ -167,7 +167,7 @@ class SeamProblem {
     const Vector3d one = unit_slope(v.before.cross(v.along), across),
                    two = unit_slope(v.along.cross(v.after), across);
     // By the seam's tangent and by the derivatives across it.
-    // By the cyclic rule of triple products, for each of their factors in turn.
+    // Triple products are turned so that the factor in question is alone.
     const Vector3d by_along = unit_ * (one.cross(v.before) + two.cross(v.after));
     const Vector3d by_before = unit_ * first * v.along.cross(one);
     const Vector3d by_after = unit_ * first * v.along.cross(two);

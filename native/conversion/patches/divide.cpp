@@ -15,6 +15,7 @@ namespace {
 constexpr double kSameBreak = 1e-12;  // closer parameters differ by rounding
 
 void add_break(std::vector<double>& breaks, double t) {
+  // At its ends an edge has vertices already.
   if (!(t > kSameBreak && t < 1.0 - kSameBreak)) return;
   const auto next = std::lower_bound(breaks.begin(), breaks.end(), t - kSameBreak);
   if (next == breaks.end() || *next > t + kSameBreak) breaks.insert(next, t);
@@ -249,6 +250,7 @@ std::vector<double> evenly(const std::vector<double>& knots, int pieces) {
 }
 
 // Control points along one direction, at most, of pieces of a patch with simple knots.
+// Cubics have three more control points than spans.
 int most_along(int intervals, int pieces) { return (intervals + pieces - 1) / pieces + 3; }
 
 }  // namespace

@@ -33,6 +33,7 @@ void split(PatchSet& set, int p, int k, std::size_t i, double share, int vertex)
     for (PatchSide& side : sides) {
       for (std::size_t j = 0; j < side.size(); ++j) {
         if (side[j].edge != old.edge) continue;
+        // The other use of the edge runs against this one.
         const bool backwards = side[j].from != old.from;
         const double at = backwards ? 1.0 - share : share;
         SideEdge first = side[j], second = side[j];

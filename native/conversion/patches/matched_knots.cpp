@@ -48,6 +48,7 @@ class KnotMatcher {
         if (carry(two, one)) changed = true;
       }
     }
+    // Once all are known: insertion goes through whole patches.
     for (std::size_t p = 0; p < lists_.size(); ++p) insert(p);
   }
 

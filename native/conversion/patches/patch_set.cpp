@@ -158,6 +158,7 @@ double PatchSet::largest_gap() const {
 }
 
 void PatchSet::check() const {
+  // Each check leans on those before it.
   for (const BSplinePatch& patch : patches) patch.check();
   check_numbers(*this);
   std::vector<Use> vertex_use(vertex_count);

@@ -23,6 +23,7 @@ std::vector<double> breaks_of(const std::vector<double>& knots, int cells, doubl
                               double end) {
   std::vector<double> numbers = knots;
   for (int i = 1; i < cells; ++i) {
+    // By the patch's parameter; those beyond its part are left out by breaks_between().
     numbers.push_back((static_cast<double>(i) / cells - begin) / (end - begin));
   }
   return breaks_between(std::move(numbers));
@@ -134,6 +135,7 @@ class PatchMeasure {
     if (near.distance > gauge_.negligible()) {
       candidates_.push_back({{near.distance, point, near.place}, area});
     } else {
+      // What is rounding needs no second look.
       found_.distance.take(near.distance, point, near.place);
     }
   }

@@ -63,6 +63,7 @@ class Bank {
   }
   // Whether an irregular point is where the seam begins.
   bool begins_at_irregular_point(const QualityGauge& gauge) const {
+    // Not within a side of a cell, whose half-edge begins elsewhere.
     return is_along_cells() && std::abs(begin_ - std::round(begin_)) < kSeamRounding &&
            gauge.irregular[cells_.origin(half_edge(0.0))] != 0;
   }

@@ -61,7 +61,7 @@ CornerBasis::CornerBasis(const CornerKey& key, const LocalMatrices& local,
   extend_eigenvectors();
   place_segments();
   // In second derivatives the rest grows by 4 a level, the leading terms by at least 4 · 1/4.
-  // Of the outer points 1/8 remains a level, however fast the ring's own rest goes.
+  // Outer points fall by 1/8 a level, however fast the ring's own rest does.
   const double decay = std::max(spectrum_->rest, 0.126);
   rest_levels_ = static_cast<int>(std::ceil(std::log(1e-18) / std::log(decay))) + 40;
   find_rest_powers();

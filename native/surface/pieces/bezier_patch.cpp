@@ -54,8 +54,7 @@ inline void to_bezier(double* x, int step) {
 }
 
 // Second differences of a grid of numbers.
-// Control points of the second derivatives: degree times degree less one, 3 · 2, for pure ones; 3 ·
-// 3 for the mixed one.
+// As control points of the second derivatives: by 3 · 2 for pure ones, by 3 · 3 for the mixed one.
 inline double second_uu(const double* x, int i, int j) {
   const double* at = x + 4 * j + i;
   return 6.0 * (at[2] - 2.0 * at[1] + at[0]);
@@ -124,6 +123,7 @@ HULL_WIDE BezierPatch BezierPatch::from_bspline(const BicubicPoints& points) {
   for (int k = 0; k < 3; ++k) {
     double* x = patch.x[k];
     for (int i = 0; i < 16; ++i) x[i] = points[i][k];
+    // Columns, then rows: the rule for curves, as a tensor product.
     for (int i = 0; i < 4; ++i) to_bezier(x + i, 4);
     for (int j = 0; j < 4; ++j) to_bezier(x + 4 * j, 1);
   }
@@ -154,6 +154,7 @@ HULL_WIDE SurfaceJet evaluate(const BezierPatch& patch, double u, double v) {
   const Weights wu(u), wv(v);
   SurfaceJet jet;
   for (int k = 0; k < 3; ++k) {
+    // Along v first, which leaves cubics in u.
     double c[4], cv[4], cvv[4];
     sum_rows(patch.x[k], wv.value, c);
     sum_rows(patch.x[k], wv.first, cv);

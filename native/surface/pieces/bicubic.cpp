@@ -10,7 +10,6 @@ namespace hull::surface {
 Vector3d unit_normal(const Vector3d& du, const Vector3d& dv) {
   // Cross products shorter than this times the lengths of their factors have no direction.
   constexpr double kParallel = 1e-12;
-  // Not normalized() alone: parallel derivatives leave rounding, whose direction means nothing.
   const Vector3d normal = du.cross(dv);
   const double length = normal.norm();
   if (!(length > kParallel * du.norm() * dv.norm())) return Vector3d::Zero();

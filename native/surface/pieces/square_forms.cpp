@@ -109,6 +109,8 @@ SquareForms::Matrix SquareForms::sum(const Add& add) const {
   Matrix sum = pattern_;
   Eigen::MatrixXd of_square, of_group;
   for (const Group& group : groups_) {
+    // Cell by cell: its squares share most of their control points, so the sparse sum is entered
+    // but once for all of them.
     of_group.setZero(group.point_count, group.point_count);
     for (int k = 0; k < group.square_count; ++k) {
       const int square = group.first_square + k;

@@ -187,10 +187,8 @@ class Search {
       : tree_(tree), p_(p), scale_(tree.error_size()), gap_(kGap * scale_), reach_(radius) {}
 
   ClosestPoint run() {
-    // Items left for later are looked at again once the best foot is known.
     descend();
     for (int item : later_) visit_later(item);
-    // None within the radius.
     if (best_.cell < 0) return best_;
     best_.gap = gap_;
     describe();

@@ -85,8 +85,8 @@ void roots(const double* h, double from, double to, double tolerance, const Visi
     // The same place may be told by both parts beside it: only the first and the last one count.
     if (std::abs(h[0]) <= tolerance) visit(from);
     if (std::abs(h[3]) <= tolerance) visit(to);
-    // Bisection: it needs no derivative, which may vanish at a root.
     if ((h[0] < 0.0) == (h[3] < 0.0)) return;
+    // Bisection: it needs no derivative, which may vanish at a root.
     double a = 0.0, b = 1.0;
     for (int i = 0; i < 60; ++i) {
       const double middle = 0.5 * (a + b);

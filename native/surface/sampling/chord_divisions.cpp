@@ -39,6 +39,7 @@ class CellCheck {
     nv_ = nv;
     const SurfaceNode& root = surface_.layout().root(cell);
     if (root.kind == SurfaceNode::Kind::kLeaf) {
+      // A regular cell is one piece, and holds all its quadrilaterals.
       return check_piece({0, nu, 0, nv}, {cell, 0.0, 0.0, 1.0, surface_.leaf(root.index)});
     }
     return check_pieces();
@@ -141,6 +142,7 @@ class CellCheck {
           }
         });
     if (bound <= tolerance_) return std::nullopt;
+    // How far the middle of a side is off its chord.
     const auto sag = [&](double u, double v, int a, int b) {
       const Vector3d chord = corners[b] - corners[a];
       const Vector3d d = surface_.position(cell_, u, v) - corners[a];
