@@ -43,8 +43,10 @@ class PatchCutter {
       : pieces_(pieces),
         chord_tolerance_(options.chord_tolerance),
         heights_{kZeroHeight * pieces.size(),
+                 // A flat tolerance of nothing would leave it to rounding what lies flat.
                  std::max(options.flat_tolerance.value_or(kLiesFlat * pieces.size()),
                           kZeroHeight * pieces.size())},
+        // No seam is a crease by itself: where patches meet at an angle, the turn tells.
         shell_{pieces.size(), kKnuckleTurn, [](int, const Eigen::Vector2d&) { return false; },
                [this](int piece, const Eigen::Vector2d& at) { return is_border(piece, at); }} {
     for (const PatchPieces::Piece& piece : pieces.pieces()) {

@@ -57,6 +57,7 @@ surface::SurfaceJet RingedSurface::evaluate(int cell, double u, double v, int or
   const Eigen::Vector2d at = std::ldexp(1.0, ring) * seen;
   const std::vector<surface::RingSegment>& segments =
       surface_.layout().basis(place.node.index).segments();
+  // On the side between two segments either does: they agree there.
   const auto segment = std::ranges::find_if(segments, [&](const surface::RingSegment& s) {
     return at.x() >= s.u && at.x() <= s.u + s.size && at.y() >= s.v && at.y() <= s.v + s.size;
   });

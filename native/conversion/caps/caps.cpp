@@ -242,6 +242,7 @@ Closing closing_of(PatchSet& set) {
   if (closer.crossing().empty()) return closing;
   // One at a time, because the places of others on the same side change.
   for (int edge : closer.crossing()) divide(set, EdgeUses(set).of(edge)[0]);
+  // Numbers have changed: all is looked at anew.
   return Closer(set).close();
 }
 

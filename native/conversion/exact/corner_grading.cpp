@@ -79,6 +79,7 @@ GradedFan graded_fan(const surface::LimitSurface& surface, int vertex, const Gra
     // Measured anew for each fit, as the squares move.
     const bool counts = has_tangent_plane && extent(graded.fan) >= limits.distance;
     graded.angle = counts ? angle / limits.angle : 0.0;
+    // Distances far below the limit need not be known any closer.
     graded.distance = fan_distance(surface, graded, kMuchLess * limits.distance) / limits.distance;
     graded.outlook = graded.excess();
   };

@@ -64,6 +64,7 @@ RingSpans ring_spans(const surface::CornerBasis& basis, const surface::CornerRin
 using KnotRow = std::array<double, kMostInner + 8>;
 KnotRow knot_row(int inner, double beyond) {
   KnotRow knots{};
+  // The first four stay 0.
   for (int k = 0; k <= inner; ++k) knots[4 + k] = std::exp2(k - inner);
   for (int k = 0; k < 3; ++k) knots[5 + inner + k] = beyond + k;
   return knots;

@@ -29,6 +29,7 @@ class SetBuilder {
         points_(vertex_points(surface)),
         is_end_(cells_.vertex_count(), 0) {
     find_ends_in_plane();
+    // Where a block's side begins the side beyond, of a neighbour, is divided.
     for (const Block& block : layout.blocks) {
       for (int k = 0; k < 4; ++k) {
         is_end_[cells_.origin(block.half_edges(cells_, k).front())] = 1;

@@ -160,6 +160,7 @@ class Grader {
 
   // Fits those whose group has changed again, until none changes any more.
   void settle(const std::vector<int>& points) {
+    // Gradings only rise, and not beyond the last one.
     for (bool changed = true; changed;) {
       changed = false;
       for (int point : points) {
@@ -174,6 +175,8 @@ class Grader {
   void raise(int point) {
     surface::tell(search_, searched_, 1.0);
     Grading& grading = of_group_[groups_.find(point)];
+    // With a grading given, first and last are the same: squares are fitted, nothing is searched
+    // for.
     const int last = options_.grading > 0 ? grading.halvings : last_[groups_.find(point)];
     fans_[point] = least_graded_fan(surface_, point, limits_, grading, last);
     grading = fans_[point].grading;

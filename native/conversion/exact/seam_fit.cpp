@@ -46,6 +46,7 @@ class SeamProblem {
       if (fan.seam_smooth[i]) add_seam(i, sine);
     }
     for (int i : seams_) unknowns_of_seam(i);
+    // So unknowns are about 1 at most, however small the squares.
     if (!seams_.empty()) unit_ /= static_cast<double>(seams_.size());
   }
 
@@ -124,6 +125,7 @@ class SeamProblem {
     const CornerNet& net = fan_.nets[i];
     const surface::SurfaceJet jet = net.evaluate(0.5, 0.5);
     const Vector3d normal = surface::unit_normal(jet.du, jet.dv);
+    // Along the normal the larger of the two, across it `stiffness`.
     const double more = std::max(normal_stiffness_ - stiffness, 0.0);
     const Eigen::Matrix3d stiff =
         stiffness * Eigen::Matrix3d::Identity() + more * normal * normal.transpose();

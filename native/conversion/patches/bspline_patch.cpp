@@ -172,6 +172,7 @@ std::vector<double> BSplinePatch::side_knots(int side) const {
   std::vector<double> knots = side % 2 == 0 ? knots_u : knots_v;
   if (side >= 2) {
     std::ranges::reverse(knots);
+    // Rounded: whoever compares these with a neighbour's knots has to allow for that.
     for (double& knot : knots) knot = 1.0 - knot;
   }
   return knots;

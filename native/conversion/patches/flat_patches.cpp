@@ -151,6 +151,7 @@ void unify_edges(PatchSet& set, mesh::Groups& edges) {
         }
         const double gap =
             gap_between(set.curve(p, k, part), set.curve(use.patch, use.side, use.part).reversed());
+        // What does not lie together to rounding stays a border on either side.
         part.edge = gap <= tolerance ? edge : set.edge_count++;
       }
     }

@@ -32,6 +32,7 @@ class CreaseEnds {
  private:
   void add(int vertex, int h) {
     if (t_.kind(vertex) != mesh::VertexKind::kCrease) return;
+    // The crease rule has two of them.
     ends_[vertex][ends_[vertex][0] < 0 ? 0 : 1] = h;
   }
 

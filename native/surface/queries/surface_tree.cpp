@@ -81,6 +81,7 @@ SurfaceTree::SurfaceTree(const LimitSurface& surface, const std::vector<int>& ce
 }
 
 void SurfaceTree::refit(const LimitSurface& surface) {
+  // One layout is one topology with its tags and scheme, and so the same pieces.
   if (surface.shared_layout() != layout_) {
     throw std::invalid_argument(
         "the tree was made of another surface; refit it to that one after moving its points, or "
@@ -102,6 +103,7 @@ void SurfaceTree::collect(int cell, const SurfaceNode& node, const DomainSquare&
           const RingSegment& segment = basis.segments()[s];
           const DomainSquare seen{std::ldexp(segment.u, -ring), std::ldexp(segment.v, -ring),
                                   std::ldexp(segment.size, -ring)};
+          // Numbered as CornerPoints::segments has them, ring after ring.
           sources_.push_back(
               {{cell, node.turn, square, seen}, node.index, ring * basis.segment_count() + s});
         }

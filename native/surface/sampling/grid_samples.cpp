@@ -157,6 +157,7 @@ class GridEvaluator {
     const double t = (static_cast<double>(range.first) / n - begin) / size, step = 1.0 / (n * size);
     const int count = range.last - range.first + 1;
     for (const Line& known : lines_) {
+      // To the last bit: where rounding differs there is one line more, no worse.
       if (known.count == count && known.t == t && known.step == step && known.size == size) {
         return known;
       }

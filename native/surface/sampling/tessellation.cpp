@@ -34,6 +34,7 @@ class Numbering {
 
   int at(int cell, int i, int j) const {
     const int h = 4 * cell, nu = divisions_.u(cell), nv = divisions_.v(cell);
+    // Sides first: their points belong to edges, whichever cell asks.
     if (j == 0) return on_side(h, i, nu);
     if (i == nu) return on_side(h + 1, j, nv);
     if (j == nv) return on_side(h + 2, nu - i, nu);
@@ -71,6 +72,7 @@ class Numbering {
     corners_.assign(cells_.half_edge_count(), -1);
     for (int start = 0; start < cells_.half_edge_count(); ++start) {
       if (corners_[start] >= 0) continue;
+      // What is reached around the vertex without crossing a crease.
       const int sector = take(1);
       for (int h = start; h >= 0 && corners_[h] < 0; h = mesh::turn_left(cells_, h)) {
         corners_[h] = sector;
@@ -147,6 +149,7 @@ class Builder {
     normal_at_.clear();
     for (int j = 0; j <= nv; ++j) {
       for (int i = 0; i <= nu; ++i) {
+        // Samples run along v, numbers of corners along u.
         const std::size_t sample = static_cast<std::size_t>(i) * (nv + 1) + j;
         const double u = static_cast<double>(i) / nu, v = static_cast<double>(j) / nv;
         const int point = points_.at(cell, i, j), normal = normals_.at(cell, i, j);
