@@ -37,7 +37,9 @@ OffPlane off_plane(const PatchSource& source, const std::vector<int>& vertices) 
 
 std::optional<surface::LimitSurface> with_centre_line(const surface::LimitSurface& surface) {
   std::vector<Vector3d> points = mesh::points_with_centre_line(surface.mesh());
+  // The same to the last bit: no copy of the surface where there is nothing to move.
   if (points == surface.mesh().points()) return std::nullopt;
+  // A copy shares the layout, so only points are computed again.
   surface::LimitSurface moved = surface;
   moved.set_points(std::move(points));
   return moved;

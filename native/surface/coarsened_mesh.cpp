@@ -50,6 +50,9 @@ class Coarsener {
     Eigen::SparseMatrix<double> normal = rows.transpose() * rows;
     for (int i = 0; i < normal.rows(); ++i) normal.coeffRef(i, i) += kDamping;
     const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(normal);
+    // Steps of the proximal point method: each minimises the squared distances plus kDamping times
+    // the square of the way from where it begins, so that the end is the undamped minimum, and what
+    // the rows do not determine stays as it began.
     Columns points(rows.cols(), 3);
     for (std::size_t i = 0; i < points_.size(); ++i) points.row(i) = given.row(points_[i]);
     for (int step = 0; step < kMostSteps; ++step) {
@@ -68,6 +71,7 @@ class Coarsener {
     for (int h : parents_.cells) number_[fine().origin(h)] = 0;
     for (int v = 0; v < fine().vertex_count(); ++v) {
       const bool is_isolated = fine().outgoing(v) < 0;
+      // Isolated points are of no part, and would be lost: they go along with every part.
       if (number_[v] < 0 && !is_isolated) continue;
       number_[v] = static_cast<int>(points_.size());
       points_.push_back(v);
@@ -84,6 +88,8 @@ class Coarsener {
         const int here = number_[fine().origin(h)];
         arrays.face_vertices.push_back(here);
         if (!fine().is_crease(h)) continue;
+        // A crease of the finer mesh that leaves a vertex point is half of one: its other half ends
+        // at the vertex point of the next cell.
         arrays.creases.push_back(
             {here, number_[fine().origin(parents_.cells[first + (k + 1) % size])]});
       }
@@ -109,6 +115,8 @@ class Coarsener {
     for (int v : points_) {
       if (fine().outgoing(v) < 0) entries.emplace_back(v, number_[v], 1.0);
     }
+    // Cell c of the parents is the face that refining the coarser mesh would number c: so its
+    // corner k is what the rules give at half-edge 4c + k.
     std::vector<char> is_known(fine().vertex_count(), 0);
     for (std::size_t cell = 0; cell < parents_.cells.size(); ++cell) {
       int h = parents_.cells[cell];
@@ -168,6 +176,7 @@ const ParentFaces& nearest(const mesh::ControlMesh& fine, Scheme scheme,
   for (const ParentFaces& way : ways) {
     const Coarsener coarsener(fine, scheme, way);
     if (!coarsener.is_mesh()) continue;
+    // Divided by the number of all points, not the part's, which is the same for all ways.
     const double rms = coarsener.fitted().rms;
     if (best == nullptr || rms < least) {
       best = &way;
@@ -191,6 +200,7 @@ ParentFaces joined(const std::vector<ParentFaces>& parts) {
       cells += size;
     }
   }
+  // The finer mesh may interleave its parts, and the order of cells is to follow its faces.
   std::sort(faces.begin(), faces.end(),
             [](const Face& a, const Face& b) { return *a.cells < *b.cells; });
   ParentFaces all;

@@ -14,6 +14,8 @@ Curvature curvature_of(const SurfaceJet& jet) {
   // T^-T (second derivatives along the normal) T^-1, a symmetric matrix whose eigenvalues are the
   // principal curvatures (do Carmo 1976, 3-3).
   const Vector3d e1 = jet.du.normalized(), e2 = normal.cross(e1);
+  // T is upper triangular, as e1 lies along du; its determinant is |du x dv|, which is not zero
+  // here.
   Eigen::Matrix2d T, second;
   T << e1.dot(jet.du), e1.dot(jet.dv), 0.0, e2.dot(jet.dv);
   // The normal points to the side that positive curvature bulges to.

@@ -11,6 +11,7 @@
 namespace hull::surface {
 namespace {
 
+// Exactly at the corner: anything beside it, however near, lies in a ring and has derivatives.
 bool is_knot(const PlaceInCell& place) {
   return place.node.kind == SurfaceNode::Kind::kCorner &&
          turned(place.node.turn, place.u, place.v).isZero(0.0);
@@ -35,6 +36,7 @@ void LimitSurface::set_points(std::vector<Vector3d> points) {
 
 void LimitSurface::take_points() {
   std::vector<Vector3d> refined = layout_->refine(mesh_.topology(), mesh_.points());
+  // All of them at first, when there is nothing to compare with.
   std::vector<char> moved(refined.size(), 1);
   if (refined_.size() == refined.size()) {
     // Bitwise: a point dragged reaches two rings of cells only, all others keep what was derived.
@@ -82,6 +84,8 @@ SurfaceJet LimitSurface::evaluate(int cell, double u, double v, int order) const
 void LimitSurface::evaluate(int cell, double u, double v, int order, SurfaceJet& jet) const {
   assert(cell >= 0 && cell < cell_count());
   assert(u >= 0.0 && u <= 1.0 && v >= 0.0 && v <= 1.0);
+  // A corner's basis knows only squares with the knot at (0, 0): the place is turned there, and its
+  // derivatives back.
   const PlaceInCell place = find_place(*layout_, cell, u, v);
   if (place.node.kind == SurfaceNode::Kind::kLeaf) {
     evaluate_bicubic(leaves_[place.node.index], place.u, place.v, order, jet);
@@ -92,6 +96,7 @@ void LimitSurface::evaluate(int cell, double u, double v, int order, SurfaceJet&
     basis.evaluate(corners_[place.node.index], uv.x(), uv.y(), order, jet);
     if (turn != 0) turn_back(turn, jet);
   }
+  // From the parameters of a quadrant to those of the cell (docs/surface.md: 4.23).
   scale_derivatives(jet, place.scale, order);
 }
 
@@ -107,6 +112,7 @@ bool LimitSurface::is_irregular_knot(int cell, double u, double v) const {
 
 Vector3d LimitSurface::normal(int cell, double u, double v) const {
   const PlaceInCell place = find_place(*layout_, cell, u, v);
+  // At a knot the tangent plane is that of the leading modes, as derivatives are zero.
   if (is_knot(place)) {
     const Vector3d direction =
         layout_->basis(place.node.index).corner_normal(corners_[place.node.index]);

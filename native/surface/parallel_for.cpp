@@ -16,6 +16,7 @@ void parallel_for(std::size_t count, int threads,
   static const int processors = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   if (threads <= 0) threads = processors;
   grain = std::max<std::size_t>(grain, 1);
+  // None has less to do than a grain, which is to outweigh starting its thread.
   const std::size_t workers = std::min<std::size_t>(threads, count / grain);
   if (workers < 2) {
     if (count > 0) work(0, count);
@@ -35,10 +36,12 @@ void parallel_for(std::size_t count, int threads,
     } catch (...) {
       const std::lock_guard lock(failure_mutex);
       if (!failure) failure = std::current_exception();
+      // Nobody begins another range.
       next = count;
     }
   };
   {
+    // Their destructors join: all have ended before the exception is looked at.
     std::vector<std::jthread> helpers;
     for (std::size_t i = 1; i < workers; ++i) helpers.emplace_back(run);
     run();

@@ -19,6 +19,7 @@ using Level3 = mesh::RefinedView<Level2>;
 template <class T>
 bool touches_only_ray(const T& t, Scheme scheme, int h, int ray) {
   if (scheme != Scheme::kBiermann || !is_smooth_at(t, h)) return true;
+  // Counter-clockwise around the corner, until round or at the end of an open fan.
   int i = h;
   do {
     if (t.edge(i) != t.edge(ray) && is_modified_edge(t, scheme, i)) return false;
@@ -35,10 +36,13 @@ bool is_corner_cell(const T& t, Scheme scheme, int h) {
     if (!is_regular_corner(t, i)) return false;
   }
   // Creases may run along the two rays only.
+  // A crease at a far side is none of the child's at the corner: the child's neighbourhood would be
+  // another one, and A would not map the cell's to itself.
   if (t.is_crease(right) || t.is_crease(opposite)) return false;
   if (t.kind_at(opposite) != mesh::VertexKind::kSmooth) return false;
   if (t.kind_at(right) != mesh::VertexKind::kSmooth && !t.is_crease(h)) return false;
   if (t.kind_at(left) != mesh::VertexKind::kSmooth && !t.is_crease(left)) return false;
+  // The rays are the edges of h and of left, the half-edge that ends at the irregular corner.
   return touches_only_ray(t, scheme, right, h) && touches_only_ray(t, scheme, left, left) &&
          !touches_modified_edge(t, scheme, opposite);
 }
@@ -87,6 +91,8 @@ class SurfaceLayout::Builder {
  private:
   static constexpr int kThirdLevel = kNoPoint - 1;  // point i of the third level: kThirdLevel - i
 
+  // The number of a refined point, which is noted as wanted the first time. Of third-level points
+  // the number is a stand-in below kNoPoint until build() settles it.
   int point(const Level1& t, int h) { return t.origin(h); }
   int point(const Level2& t, int h) {
     const auto [it, is_new] =
@@ -131,6 +137,8 @@ class SurfaceLayout::Builder {
     Corner corner{basis(corner_key(layout_.scheme_, fan)), {}};
     for (int p : ring_points(t, fan)) corner.points.push_back(point(t, p));
     for (int p : outer_points(t, h)) corner.points.push_back(point(t, p));
+    // The order of points is that in which local_matrices() built the basis: ring, then outer
+    // points.
     assert(static_cast<int>(corner.points.size()) == corner.basis->point_count());
     layout_.corners_.push_back(std::move(corner));
     return {SurfaceNode::Kind::kCorner, static_cast<std::uint8_t>(turn),
@@ -140,7 +148,10 @@ class SurfaceLayout::Builder {
   template <class T>
   SurfaceNode split(const T& t, int h) {
     const int index = static_cast<int>(layout_.splits_.size());
+    // Kept free first: children may split again, and move the vector.
     layout_.splits_.emplace_back();
+    // Each child begins its own half-edges at a control vertex of the split face; these are the
+    // ones at its lower left corner, along u, so that all children have the cell's (u, v).
     const int children[4] = {4 * h, 4 * t.next(h) + 3, 4 * t.prev(h) + 1,
                              4 * t.next(t.next(h)) + 2};
     for (int i = 0; i < 4; ++i) {
@@ -160,6 +171,7 @@ class SurfaceLayout::Builder {
   }
 
   std::shared_ptr<const CornerBasis> basis(const CornerKey& key) {
+    // The shared cache takes a lock for each question; a mesh has few keys, and many cells.
     std::shared_ptr<const CornerBasis>& known = bases_[key];
     if (!known) known = cache_.get(key);
     return known;
@@ -217,6 +229,7 @@ void SurfaceLayout::take_corner(int corner, const std::vector<Vector3d>& refined
   points.outer.clear();
   points.outer.reserve(from.points.size());
   for (int i : from.points) points.outer.push_back(refined[i]);
+  // The rings follow from the outer square.
   from.basis->prepare(points);
 }
 

@@ -27,6 +27,7 @@ Vector3d on_centre_plane(const Vector3d& point) { return {point.x(), 0.0, point.
 surface::BicubicPoints cap_of(const BSplineCurve& edge) {
   std::array<Vector3d, 16> bezier;
   for (std::size_t i = 0; i < 4; ++i) {
+    // Against the border, which the cap has on its other side: so its normal points outwards.
     const Vector3d &start = edge.points[3 - i], end = on_centre_plane(start);
     for (std::size_t j = 0; j < 4; ++j) {
       const double share = static_cast<double>(j) / 3.0;
@@ -77,6 +78,8 @@ PatchBody::PatchBody(const PatchPieces& pieces, bool mirrored)
   for (const auto& piece : pieces.set().patches) {
     for (const Vector3d& point : piece.control_points) box.extend(point);
   }
+  // Moments are taken about it: near the hull for rounding, and in the plane so that those of the
+  // other half differ by signs alone.
   if (!box.isEmpty()) centre_ = on_centre_plane(box.center());
   for (const PatchPieces::Piece& piece : pieces.pieces()) add(piece.points, false);
   for (const auto& loop : border_loops(pieces.uses(), pieces.set().edge_count)) close(loop);
@@ -97,6 +100,7 @@ void PatchBody::add(const surface::BicubicPoints& points, bool is_cap) {
       points, is_cap,
       analysis::span_moments({points, centre_}, SpanRule::kExact, analysis::exact_cuts(size_).area),
       Vector3d::Zero(), Vector3d::Zero()};
+  // Closings count for volumes, not for the wetted surface.
   if (is_cap) part.moments.area = part.moments.area_error = 0.0;
   Eigen::AlignedBox3d box;
   for (const Vector3d& point : points) box.extend(Vector3d(point - centre_));
@@ -113,10 +117,13 @@ void PatchBody::close(const std::vector<EdgeUse>& loop) {
     is_at_centre =
         is_at_centre || std::abs(curves.back().points.front().y()) <= kOnCentrePlane * size_;
   }
+  // Borders of a whole hull are closed to the centre plane from both sides, which leaves nothing
+  // over where the projections cancel.
   const bool is_closed =
       (mirrored_ && is_at_centre) || std::abs(projected_area(curves)) <= kOpenArea * size_ * size_;
   if (!is_closed) throw std::invalid_argument(told_opening(curves.front().points.front()));
   for (const BSplineCurve& curve : curves) {
+    // A border in the plane needs no cap; its own would have no area.
     const bool is_needed =
         std::ranges::any_of(curve.points, [](const Vector3d& point) { return point.y() != 0.0; });
     if (is_needed) add(cap_of(curve), true);
@@ -128,6 +135,7 @@ ShellMoments PatchBody::wet(const analysis::Plane& water) const {
   ShellMoments sum;
   for (const Part& part : parts_) {
     const double height = water.normal.dot(part.middle) + water.height(centre_);
+    // The box's reach along the normal: most parts are wholly in or out of the water.
     const double half = water.normal.cwiseAbs().dot(part.half) + rules.zero;
     if (height >= half) continue;
     if (height < -half) {
@@ -147,6 +155,7 @@ analysis::Immersion PatchBody::immersion(const analysis::Plane& water) const {
   }
   ShellMoments all = wet(water);
   if (mirrored_) {
+    // Heeled, the other half is this one in the mirrored water.
     all += analysis::mirrored(water.normal.y() == 0.0 ? all : wet(image_of(water)));
   }
   // About a point in the water's surface, where heights do not cancel.

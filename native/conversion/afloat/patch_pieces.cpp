@@ -39,6 +39,7 @@ PatchPieces::PatchPieces(const PatchSet& set)
     const std::vector<double> u = with_both_ends(cuts[p].u), v = with_both_ends(cuts[p].v);
     for (std::size_t i = 1; i < u.size(); ++i) {
       for (std::size_t j = 1; j < v.size(); ++j) {
+        // divided() has its pieces in the same order.
         const BSplinePatch& bezier = set_.patches[pieces_.size()];
         std::array<Vector3d, 16> points;
         std::ranges::copy(bezier.control_points, points.begin());
@@ -50,6 +51,7 @@ PatchPieces::PatchPieces(const PatchSet& set)
 }
 
 std::array<Vector3d, 4> uniform_points(const std::array<Vector3d, 4>& b) {
+  // The inverse of (a + 4 b + c) / 6, (2 b + c) / 3, (b + 2 c) / 3, (b + 4 c + d) / 6.
   return {6.0 * b[0] - 7.0 * b[1] + 2.0 * b[2], 2.0 * b[1] - b[2], 2.0 * b[2] - b[1],
           2.0 * b[1] - 7.0 * b[2] + 6.0 * b[3]};
 }

@@ -43,8 +43,10 @@ class PatchCutter {
       : pieces_(pieces),
         chord_tolerance_(options.chord_tolerance),
         heights_{kZeroHeight * pieces.size(),
+                 // A flat tolerance of nothing would leave it to rounding what lies flat.
                  std::max(options.flat_tolerance.value_or(kLiesFlat * pieces.size()),
                           kZeroHeight * pieces.size())},
+        // No seam is a crease by itself: where patches meet at an angle, the turn tells.
         shell_{pieces.size(), kKnuckleTurn, [](int, const Eigen::Vector2d&) { return false; },
                [this](int piece, const Eigen::Vector2d& at) { return is_border(piece, at); }} {
     for (const PatchPieces::Piece& piece : pieces.pieces()) {
@@ -65,6 +67,8 @@ class PatchCutter {
     }
     edges.add_arcs(chord_tolerance_, parts_);
     std::vector<SectionCurve> curves = section_curves(shell_, parts_);
+    // Pieces are joined to curves by their own numbers and places, which are told of patches only
+    // then.
     for (SectionCurve& curve : curves) bring_to_patches(curve);
     return curves;
   }
@@ -88,6 +92,7 @@ class PatchCutter {
     for (std::size_t k = 0; k < 4; ++k) {
       if (!is_on[k]) continue;
       for (const SideEdge& part : pieces_.set().sides[static_cast<std::size_t>(piece)][k]) {
+        // An end between two parts is of both: a border if one of them is.
         if (along[k] < part.begin || along[k] > part.end) continue;
         if (pieces_.uses().is_border(part.edge)) return true;
       }

@@ -36,6 +36,7 @@ class PieceSide {
     sample.p.point = here.point;
     sample.p.cell = piece_;
     sample.p.uv = place(t);
+    // Sides 2 and 3 run against u and v; second derivatives have no direction.
     sample.d1 = (side_ < 2 ? 1.0 : -1.0) * (is_along_v ? here.dv : here.du);
     const Vector3d& d2 = is_along_v ? here.dvv : here.duu;
     // The edge is in the plane but for rounding; d2's part across it drops out of the product.
@@ -80,6 +81,7 @@ void PlaneEdges::add_sides(int piece, const analysis::HeightNet& height) {
     for (int i = 0; i < std::ssize(side); ++i) {
       const SideEdge& part = side[static_cast<std::size_t>(i)];
       const double middle = 0.5 * (part.begin + part.end);
+      // height.along() goes by rising u or v.
       const double rising = k < 2 ? middle : 1.0 - middle;
       claim({piece, k, i},
             analysis::evaluate(beside, rising) >= 0.0 ? State::kAbove : State::kBelow);
@@ -96,6 +98,7 @@ void PlaneEdges::add_arcs(double chord_tolerance, analysis::SectionParts& parts)
 // A patch is to the left of its sides: the first use's state is the left one.
 void PlaneEdges::add_edge(int edge, State left, State right, double chord_tolerance,
                           analysis::SectionParts& parts) const {
+  // Within a flat nothing is drawn.
   if (left == State::kFlat && right == State::kFlat) return;
   const auto& uses = pieces_.uses().of(edge);
   const bool is_first = left != State::kNone;
@@ -106,6 +109,7 @@ void PlaneEdges::add_edge(int edge, State left, State right, double chord_tolera
   SectionArc::Sense sense = SectionArc::Sense::kDirected;
   const auto is_off = [](State state) { return state == State::kAbove || state == State::kBelow; };
   if (is_off(left) || is_off(right)) {
+    // What is above the plane is to be on the left.
     is_forward = left == State::kAbove || right == State::kBelow;
     // The surface touches the plane from one side: neither direction is right.
     if (left == right) sense = SectionArc::Sense::kEither;

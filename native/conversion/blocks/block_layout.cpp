@@ -40,6 +40,7 @@ class Cutter {
     std::stable_sort(joining.begin(), joining.end(),
                      [](const auto& a, const auto& b) { return a.size() < b.size(); });
     for (const std::vector<int>& line : joining) {
+      // Each line was found from both its ends; the second time it is cut.
       if (is_free(line)) {
         for (int h : line) cross(h);
       }
@@ -86,6 +87,7 @@ class Cutter {
   // Along the line of h, both ways.
   void cut_along(int h) {
     std::vector<int> heads{h};
+    // Backwards too: two turns bring the half-edge that leaves the other way.
     if (!crossed_[cells_.origin(h)]) {
       crossed_[cells_.origin(h)] = 1;
       const int beside = cells_.next(cells_.twin(h));
@@ -127,6 +129,8 @@ class Cutter {
 
   void run(std::vector<int> heads) {
     while (!heads.empty()) {
+      // A step each in turn: of two lines that meet, the one that is there first goes on (the
+      // motorcycles of the graph).
       std::vector<int> still;
       for (int h : heads) {
         if (is_cut(h)) continue;
@@ -213,6 +217,7 @@ void halve_rings(const mesh::Topology& cells, std::vector<Block>& blocks, std::v
       ++b;
       continue;
     }
+    // The halves are looked at again, as a torus is beside itself both ways.
     const int nu = block.count_u, nv = block.count_v;
     if (across == CutAcross::kU) {
       blocks[b] = part_of(block, 0, nu / 2, 0, nv);

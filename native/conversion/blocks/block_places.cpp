@@ -21,6 +21,7 @@ std::vector<Vector3d> vertex_points(const surface::LimitSurface& surface) {
 CellPoint place_in_block(const Block& block, double u, double v) {
   const double at_u = (block.begin_u + u * (block.end_u - block.begin_u)) * block.count_u;
   const double at_v = (block.begin_v + v * (block.end_v - block.begin_v)) * block.count_v;
+  // The end of the block is that of its last cell.
   const int i = std::min(static_cast<int>(at_u), block.count_u - 1);
   const int j = std::min(static_cast<int>(at_v), block.count_v - 1);
   return place_beside_half_edge(block.side(i, j), std::clamp(at_u - i, 0.0, 1.0),

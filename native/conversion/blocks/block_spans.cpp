@@ -18,6 +18,7 @@ struct GradedCorner {
 };
 
 bool contains(const surface::DomainSquare& square, const surface::SurfacePiece& piece) {
+  // Pieces are wholly in a corner square or out of it, so their own corners tell.
   return piece.u >= square.u && piece.u < square.u + square.size && piece.v >= square.v &&
          piece.v < square.v + square.size;
 }
@@ -38,6 +39,7 @@ std::vector<double> places_between(const std::vector<double>& lines) {
   std::vector<double> result;
   for (std::size_t k = 0; k + 1 < lines.size(); ++k) {
     const bool is_first_half = lines[k] + lines[k + 1] < lines.front() + lines.back();
+    // Not in the middle, through which lines of smaller spans pass.
     result.push_back(lines[k] + (is_first_half ? 0.6 : 0.4) * (lines[k + 1] - lines[k]));
   }
   return result;
@@ -50,14 +52,19 @@ BlockSpans::BlockSpans(const surface::LimitSurface& surface, const Block& block,
   const mesh::Topology& cells = surface.cells();
   for (int i = 0; i < block.count_u; ++i) {
     for (int j = 0; j < block.count_v; ++j) {
+      // The cell as the block sees it, whose side v = 0 is any of the cell's own.
       const int side = block.side(i, j), turn_back = (4 - side % 4) % 4;
       std::vector<GradedCorner> corners;
       const auto descend = [&](const surface::CornerSquare& square) {
+        // The whole cell is no corner square, whatever the grading.
         if (square.size == 1.0) return true;
         const Grading& grading = gradings[cells.origin(4 * square.cell + corner_of(square))];
+        // Sizes are powers of two, and equal to the last bit.
         if (square.size == std::exp2(-grading.halvings)) {
           corners.push_back({{square.u, square.v, square.size}, grading.inner});
         }
+        // One ring more than there are knots within: control points there need spans on either
+        // side.
         return square.size > std::exp2(-grading.halvings - grading.inner - 1);
       };
       surface::for_each_piece(surface, side / 4, descend, [&](const surface::SurfacePiece& piece) {
@@ -94,6 +101,7 @@ BlockSpans::BlockSpans(const surface::LimitSurface& surface, const Block& block,
 void BlockSpans::find_spans_at_places() {
   at_places_.assign(places_u_.size() * places_v_.size(), nullptr);
   const auto within = [](const std::vector<double>& places, double begin, double size) {
+    // A span may hold several places, as lines of its neighbours run through it.
     const auto first = std::upper_bound(places.begin(), places.end(), begin);
     return std::pair(first - places.begin(),
                      std::lower_bound(first, places.end(), begin + size) - places.begin());

@@ -26,6 +26,7 @@ NearPoint near_point(const RingedSurface& surface, const Vector3d& point, const 
     slope << jet.du, jet.dv;
     Eigen::Matrix2d normal = slope.transpose() * slope;
     if (!(normal.trace() > 0.0)) break;  // an irregular corner has no derivatives
+    // Where u and v run the same way the step is along both.
     normal.diagonal().array() += 1e-12 * normal.trace();
     Eigen::Vector2d move = normal.inverse() * slope.transpose() * (point - jet.point);
     NearPoint next = found;

@@ -49,6 +49,7 @@ NearPoint near_surface(const RingedSurface& surface, const Vector3d& point, cons
           near_point(surface, point, place_beside_half_edge(beyond, at, 0.0), enough);
       if (found.distance < best.distance) best = found;
     }
+    // A foot within its cell, or on a side beyond which nothing is nearer.
     if (best.place.cell == from.cell) break;
   }
   return best;

@@ -27,6 +27,7 @@ const surface::BicubicPoints& RingedSurface::span(int corner, int ring, int segm
   Rings& rings = found->second;
   const std::size_t number =
       static_cast<std::size_t>((ring - kKeptThere) * basis.segment_count() + segment);
+  // All rings up to the one asked for: the walk only goes inwards.
   while (rings.spans.size() <= number) {
     for (int s = 0; s < basis.segment_count(); ++s) {
       rings.spans.push_back(rings.walk.segment_points(s));
@@ -46,6 +47,7 @@ surface::SurfaceJet RingedSurface::evaluate(int cell, double u, double v, int or
     return surface_.evaluate(cell, u, v, order);
   }
   const Eigen::Vector2d seen = surface::turned(place.node.turn, place.u, place.v);
+  // As in CornerBasis: the power of two tells the ring, and scaling by it the place in that.
   int exponent = 0;
   std::frexp(seen.maxCoeff(), &exponent);
   const int ring = -exponent;  // 0: beyond 1/2
@@ -55,6 +57,7 @@ surface::SurfaceJet RingedSurface::evaluate(int cell, double u, double v, int or
   const Eigen::Vector2d at = std::ldexp(1.0, ring) * seen;
   const std::vector<surface::RingSegment>& segments =
       surface_.layout().basis(place.node.index).segments();
+  // On the side between two segments either does: they agree there.
   const auto segment = std::ranges::find_if(segments, [&](const surface::RingSegment& s) {
     return at.x() >= s.u && at.x() <= s.u + s.size && at.y() >= s.v && at.y() <= s.v + s.size;
   });

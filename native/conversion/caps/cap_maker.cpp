@@ -50,6 +50,8 @@ bool is_plane_athwart(const std::vector<Vector3d>& points, double tolerance) {
     };
     return *std::ranges::max_element(points, {}, distance);
   };
+  // Seen athwart the points have to lie on a line: through two that are far apart, or it would turn
+  // by rounding.
   const Vector3d one = furthest(points[0]), two = furthest(one);
   const double dx = two.x() - one.x(), dz = two.z() - one.z(), length = std::hypot(dx, dz);
   return length <= tolerance || std::ranges::all_of(points, [&](const Vector3d& p) {
@@ -152,6 +154,7 @@ std::vector<CapMaker::Run> CapMaker::runs_of(const BorderChain& chain) const {
       const auto& more = chain[j].curve.points;
       points.insert(points.end(), more.begin(), more.end());
       if (!is_plane_athwart(points, tolerance())) break;
+      // Edges athwart count for the plane, but none ends a run.
       if (!is_athwart(chain[j])) run.end = j + 1;
     }
     i = run.end - 1;
@@ -167,6 +170,7 @@ DirectedEdge CapMaker::add_edge(BSplineCurve curve, int from, int to) {
 
 int CapMaker::far_vertex(int vertex, const Vector3d& position, FarSide& far) {
   if (!far.is_plane) return far.vertices.at(vertex);
+  // On the plane a vertex is across from itself.
   if (std::abs(position.y() - far.y) <= tolerance()) return vertex;
   const auto [found, fresh] = far.vertices.try_emplace(vertex, -1);
   if (fresh) {
@@ -261,6 +265,7 @@ void CapMaker::add_patch(const BorderStep& step, const Run& run, const EdgePath&
   const surface::SurfaceJet middle = patch.evaluate(0.5, 0.5);
   Cap cap;
   cap.kind = kind_of(middle.du.cross(middle.dv));
+  // v runs from the far side to the border, which becomes side 1 by turning.
   cap.loops = {backwards(run.finish), {{step.edge, true}}, run.start, far_edge};
   cap.patch = patch.turned();
   result_.caps.push_back(std::move(cap));

@@ -32,6 +32,7 @@ bool is_plane(const BorderChain& loop, double tolerance) {
   for (const Vector3d& point : points) {
     moments += (point - centre) * (point - centre).transpose();
   }
+  // The direction of the least moment.
   const Vector3d normal =
       Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(moments).eigenvectors().col(0);
   return std::ranges::all_of(points, [&](const Vector3d& point) {
@@ -47,6 +48,7 @@ FarSide find_images(const BorderChain& loop, double tolerance) {
   }
   FarSide far;
   far.is_plane = false;
+  // Control points of a symmetric border are symmetric, and so is the box around them.
   far.y = box.center().y();
   const auto near = [&](const Vector3d& a, const Vector3d& b) {
     return (mirrored(a, far.y) - b).norm() <= tolerance;
@@ -55,6 +57,8 @@ FarSide find_images(const BorderChain& loop, double tolerance) {
     BSplineCurve image = step.curve.reversed();
     for (Vector3d& point : image.points) point = mirrored(point, far.y);
     for (const BorderStep& other : loop) {
+      // Ends first, as curves are sampled. An image runs the other way along the border, and an
+      // edge may be its own.
       if (!near(step.curve.points.front(), other.curve.points.back()) ||
           !near(step.curve.points.back(), other.curve.points.front()) ||
           gap_between(image, other.curve) > tolerance) {
@@ -105,6 +109,8 @@ class Closer {
       }
     }
     is_port_half_ = high > -low;
+    // A set without borders in the plane is no half hull, even on one side: a rudder beside it,
+    // say.
     const bool one_side = std::min(-low, high) <= kOnCentrePlane * size_;
     is_half_ = one_side && std::ranges::any_of(loops, [&](const BorderChain& loop) {
                  return std::ranges::any_of(loop, [&](const BorderStep& step) {
@@ -121,11 +127,14 @@ class Closer {
     const auto first = std::ranges::find_if(loop, is_there);
     if (first == loop.end()) return false;
     std::rotate(loop.begin(), first, loop.end());
+    // One for all chains of the border, which so share the vertices that are made in the plane.
     FarSide far;
     BorderChain chain;
     for (const BorderStep& step : loop) {
+      // A chain ends wherever the border touches the plane, also if it leaves it again at once.
       if (!chain.empty() && is_there(step)) close_chain(chain, far);
       if (lies_in_centre_plane(step.curve, size_)) {
+        // Reversed, as the face in the plane is on its other side.
         in_plane_.push_back({step.edge, true});
       } else {
         chain.push_back(step);
@@ -143,6 +152,7 @@ class Closer {
   void close_alone(const BorderChain& loop) {
     if (is_plane(loop, maker_.tolerance())) {
       EdgePath path;
+      // A face runs along its border against the patch beyond.
       for (auto step = loop.rbegin(); step != loop.rend(); ++step) {
         path.push_back({step->edge, true});
       }
@@ -164,9 +174,12 @@ class Closer {
     const auto is_on_side = [&](const BorderStep& step) {
       return far.edges.at(step.edge) != step.edge && step.curve.position(0.5).y() > far.y;
     };
+    // At a vertex that is its own image, on the plane of symmetry, or before an edge that leads
+    // across.
     const auto ends_here = [&](const BorderStep& step, const BorderStep& next) {
       return far.vertices.at(step.to) == step.to || !is_on_side(next);
     };
+    // The loop may begin in the middle of a chain.
     const auto starts = [&](std::size_t i) {
       const BorderStep& last = loop[(i + loop.size() - 1) % loop.size()];
       return is_on_side(loop[i]) && (!is_on_side(last) || ends_here(last, loop[i]));
@@ -213,6 +226,7 @@ class Closer {
 void divide(PatchSet& set, const EdgeUse& use) {
   PatchSide& side = set.sides[use.patch][use.side];
   const auto first = side.begin() + use.part;
+  // The middle by its parameter: an edge that is its own image at equal parameters crosses there.
   SideEdge second = *first;
   first->end = second.begin = 0.5 * (first->begin + first->end);
   first->to = second.from = set.vertex_count++;
@@ -228,6 +242,7 @@ Closing closing_of(PatchSet& set) {
   if (closer.crossing().empty()) return closing;
   // One at a time, because the places of others on the same side change.
   for (int edge : closer.crossing()) divide(set, EdgeUses(set).of(edge)[0]);
+  // Numbers have changed: all is looked at anew.
   return Closer(set).close();
 }
 

@@ -47,6 +47,7 @@ class Loops {
       loop.path.push_back(edge);
       add_points(edge, loop.polygon);
       const int at = maker_.to(edge);
+      // Back where it began, even if others go on from there.
       if (at == vertex) break;
       edge = take_next(edge, at);
     }
@@ -59,6 +60,7 @@ class Loops {
 
   void add_points(const DirectedEdge& edge, std::vector<Vector2d>& polygon) const {
     const BSplineCurve curve = maker_.curve(edge);
+    // Chords enough to tell which way a loop runs, and what lies in it.
     constexpr int kSteps = 4;
     for (std::size_t k = 0; k + 1 < curve.knots.size(); ++k) {
       const double begin = curve.knots[k], step = (curve.knots[k + 1] - begin) / kSteps;
@@ -82,6 +84,7 @@ class Loops {
       const Vector2d ahead = direction(edge);
       return std::atan2(cross(back, ahead), back.dot(ahead));
     };
+    // Angles from the way straight on: the largest is the sharpest turn to the left.
     const auto best = std::ranges::max_element(leaving, {}, turn);
     const DirectedEdge next = *best;
     leaving.erase(best);
@@ -91,6 +94,7 @@ class Loops {
   // Of an edge where it begins.
   Vector2d direction(const DirectedEdge& edge) const {
     const BSplineCurve curve = maker_.curve(edge);
+    // The first control points may coincide, or nearly.
     const double reach = 1e-6 * curve.polygon_length();
     for (const Vector3d& point : curve.points) {
       const Vector2d way = seen(point) - seen(curve.points[0]);
@@ -108,6 +112,7 @@ bool is_within(const Vector2d& point, const std::vector<Vector2d>& polygon) {
   bool inside = false;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Vector2d &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+    // Half-open, so that a ray through a corner counts once.
     if ((a.y() > point.y()) == (b.y() > point.y())) continue;
     if (point.x() < a.x() + (point.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x())) {
       inside = !inside;
@@ -129,6 +134,7 @@ void close_centre_plane(CapMaker& maker, const EdgePath& edges, bool is_port_hal
     std::size_t around = loops.size();
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < loops.size(); ++i) {
+      // The smallest loop around a hole is its face: there may be islands in holes.
       if (loops[i].area <= 0.0 || loops[i].area >= least) continue;
       if (!is_within(hole.polygon[0], loops[i].polygon)) continue;
       around = i;

@@ -4,6 +4,8 @@
 namespace hull::conversion {
 
 surface::Basis blossom_weights(double a, double b, double c) {
+  // De Boor's algorithm for the knots -2 ... 3, multiplied out: the first round at a, then b, then
+  // c.
   const double a0 = (1.0 - a) / 3.0, a1 = 1.0 - a0, a2 = (2.0 - a) / 3.0, a3 = 1.0 - a2,
                a4 = (3.0 - a) / 3.0, a5 = 1.0 - a4;
   const double b0 = (1.0 - b) / 2.0, b1 = 1.0 - b0, b2 = (2.0 - b) / 2.0, b3 = 1.0 - b2;

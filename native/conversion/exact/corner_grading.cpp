@@ -49,6 +49,7 @@ double fan_distance(const surface::LimitSurface& surface, const GradedFan& grade
   const double size = std::exp2(-graded.grading.halvings);
   double largest = 0.0;
   const auto take = [&](int i, double a, double b) {
+    // The square is 2^-halvings of its cell: its own place in the surface is known, and close by.
     const CellPoint start = place_beside_half_edge(fan.half_edges[i], a * size, b * size);
     const Vector3d point = fan.nets[i].evaluate(a, b).point;
     largest = std::max(largest, near_surface(ringed, point, start, enough).distance);
@@ -75,14 +76,17 @@ GradedFan graded_fan(const surface::LimitSurface& surface, int vertex, const Gra
                      const CornerLimits& limits) {
   const bool has_tangent_plane = surface.cells().kind(vertex) != mesh::VertexKind::kCone;
   const auto measure = [&](GradedFan& graded, double angle) {
+    // Measured anew for each fit, as the squares move.
     const bool counts = has_tangent_plane && extent(graded.fan) >= limits.distance;
     graded.angle = counts ? angle / limits.angle : 0.0;
+    // Distances far below the limit need not be known any closer.
     graded.distance = fan_distance(surface, graded, kMuchLess * limits.distance) / limits.distance;
     graded.outlook = graded.excess();
   };
   GradedFan result{grading, square_fan(surface, vertex, grading)};
   const double angle = seam_angle(result.fan);
   measure(result, angle);
+  // Fits are for what is near the limit or above it.
   if (!(angle > kMuchLess * limits.angle)) return result;
   if (moved_points(result.fan.count(), grading.inner) > kMostMoved) return result;
   for (double normal_stiffness : kNormalStiffness) {
@@ -100,6 +104,7 @@ GradedFan least_graded_fan(const surface::LimitSurface& surface, int vertex,
                            const CornerLimits& limits, const Grading& first, int last) {
   GradedFan best = graded_fan(surface, vertex, first, limits);
   double before = best.outlook, least = before, now = before;
+  // `useful`: the last number of halvings that made an error less.
   int halvings = first.halvings, useful = halvings;
   while (best.excess() > 1.0 && halvings < last && halvings - useful < kHopeless) {
     halvings = std::min(halvings + jump_from(before, now), last);

@@ -54,6 +54,8 @@ RingSpans ring_spans(const surface::CornerBasis& basis, const surface::CornerRin
     return Span{scale * found->u, scale * found->v, scale * found->size,
                 ring.segment_points(number)};
   };
+  // Just beyond the half that the next ring fills: a segment there may be whole or one of four
+  // quarters.
   constexpr double kIn = 1e-3, kBeyond = 0.5 + 1e-3;
   return {span_at(kBeyond, kIn), span_at(kBeyond, kBeyond), span_at(kIn, kBeyond)};
 }
@@ -62,6 +64,7 @@ RingSpans ring_spans(const surface::CornerBasis& basis, const surface::CornerRin
 using KnotRow = std::array<double, kMostInner + 8>;
 KnotRow knot_row(int inner, double beyond) {
   KnotRow knots{};
+  // The first four stay 0.
   for (int k = 0; k <= inner; ++k) knots[4 + k] = std::exp2(k - inner);
   for (int k = 0; k < 3; ++k) knots[5 + inner + k] = beyond + k;
   return knots;
@@ -81,7 +84,9 @@ Vector3d point_of(const Span& span, const KnotRow& u, int i, const KnotRow& v, i
 CornerFunctions corner_functions(int inner, double beyond, double t) {
   const KnotRow knots = knot_row(inner, beyond);
   int first = 0;  // of the four functions that live there
+  // Places are within [0, 1], which has inner + 1 spans.
   while (first < inner && t >= knots[first + 4]) ++first;
+  // Cox-de Boor, as in basis_values(), for the few knots of a corner and without allocating.
   std::array<double, 4> values{1.0};
   CornerFunctions result;
   for (int degree = 1; degree <= 3; ++degree) {
@@ -92,6 +97,7 @@ CornerFunctions corner_functions(int inner, double beyond, double t) {
       const double span = knots[at + degree] - knots[at], share = (t - knots[at]) / span;
       values[k] += (1.0 - share) * lower[k];
       values[k + 1] += share * lower[k];
+      // Slopes follow from the functions of degree two, those of the last round before.
       if (degree < 3) continue;
       result.slope[first + k] -= 3.0 * lower[k] / span;
       result.slope[first + k + 1] += 3.0 * lower[k] / span;
@@ -123,15 +129,18 @@ CornerNet corner_net(const surface::LimitSurface& surface, int h, const Grading&
   assert(grading.halvings > node.halvings && grading.inner <= kMostInner);
   const surface::CornerBasis& basis = surface.layout().basis(node.index);
   surface::CornerRing ring(basis, surface.corner(node.index));
+  // The first ring's inner square is half of the knot's node, which may be a quadrant already.
   for (int k = node.halvings + 1; k < grading.halvings; ++k) ring.advance();
   // The ring around the corner square, then those within.
   std::vector<RingSpans> rings;
   for (int k = 0; k <= grading.inner; ++k, ring.advance()) {
+    // The ring around the corner square has a square of twice its size.
     rings.push_back(ring_spans(basis, ring, std::exp2(1 - k)));
   }
   const RingSpans& around = rings.front();
   CornerNet net;
   net.inner = grading.inner;
+  // Where one side of the diagonal is cut into quarters the knots of the patch are too.
   net.beyond_u = 1.0 + std::min(around.right.size, around.diagonal.size);
   net.beyond_v = 1.0 + std::min(around.above.size, around.diagonal.size);
   const KnotRow u = knot_row(net.inner, net.beyond_u), v = knot_row(net.inner, net.beyond_v);

@@ -29,6 +29,7 @@ class SetBuilder {
         points_(vertex_points(surface)),
         is_end_(cells_.vertex_count(), 0) {
     find_ends_in_plane();
+    // Where a block's side begins the side beyond, of a neighbour, is divided.
     for (const Block& block : layout.blocks) {
       for (int k = 0; k < 4; ++k) {
         is_end_[cells_.origin(block.half_edges(cells_, k).front())] = 1;
@@ -49,6 +50,7 @@ class SetBuilder {
       for (int k = 0; k < 4; ++k) {
         sides[k] = side_of(block.half_edges(cells_, k));
         corners[k] = sides[k].front().from;
+        // The patches' own may differ by rounding.
         patch.control_points[patch.side_index(k, 0)] = points_[corners[k]];
       }
       set.corners.push_back(corners);
@@ -88,10 +90,12 @@ class SetBuilder {
     const double count = static_cast<double>(half_edges.size());
     for (std::size_t i = 0; i < half_edges.size(); ++i) {
       const int h = half_edges[i], from = cells_.origin(h), to = cells_.origin(cells_.next(h));
+      // A corner of some block lies here, or the border leaves the centre plane.
       if (i == 0 || is_end_[from]) {
         side.push_back({cells_.edge(h), from, to, static_cast<double>(i) / count, 1.0});
       }
       SideEdge& part = side.back();
+      // The same number from both sides, whichever is met first.
       part.edge = std::min(part.edge, cells_.edge(h));
       part.to = to;
       part.end = static_cast<double>(i + 1) / count;

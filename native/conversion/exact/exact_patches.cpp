@@ -41,6 +41,8 @@ Vector3d third_difference(const BlockSpan& span, int row, bool along_u) {
   const auto point = [&](int k) -> const Vector3d& {
     return span.points[along_u ? 4 * row + k : 4 * k + row];
   };
+  // The third derivative of the cubic: spans of one size, whose second ones agree at their common
+  // line, are one polynomial if it is the same.
   return point(3) - 3.0 * (point(2) - point(1)) - point(0);
 }
 
@@ -64,6 +66,7 @@ KnotLine knot_line(const BlockSpans& spans, bool along_u, double tolerance) {
     bool removable = true;
     for (int l = 0; l < across && removable; ++l) {
       const BlockSpan *a = span_at(k - 1, l), *b = span_at(k, l);
+      // None is the smallest square at an irregular corner, around which all knots stay.
       removable = a && b && (a == b || is_smooth(*a, *b, along_u, tolerance)) &&
                   all[k + 1] - knots.lines.back() <= kLongestInterval * b->size;
     }
@@ -130,6 +133,7 @@ class PatchBuilder {
   Vector3d point_from(const BlockSpan& span, int i, int j) const {
     const auto weights = [&](const KnotLine& line, int k, double begin) {
       const auto local = [&](int m) { return (line.knot(m) - begin) / span.size; };
+      // A control point is the blossom of its span at the three knots that its function has within.
       return blossom_weights(local(k + 1), local(k + 2), local(k + 3));
     };
     return blossom(span.points, weights(u_, i, span.u), weights(v_, j, span.v));

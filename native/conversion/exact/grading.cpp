@@ -97,6 +97,7 @@ class Grader {
     for (std::size_t i = 0; i < most.size(); ++i) {
       int& last = last_[groups_.find(static_cast<int>(i))];
       // There are knots within the corner squares as well.
+      // 2^-k of a cell is 2^-k / most of the patch.
       const int here = static_cast<int>(-std::log2(kClosestKnots * most[i])) - kMostInner;
       last = std::min(last, std::max(here, kFirstGrading));
     }
@@ -140,6 +141,7 @@ class Grader {
     const std::vector<char> still_missed = groups_with(points, misses);
     for (int point : points) {
       const int group = groups_.find(point);
+      // A group that kept its limits before, with many halvings, goes back to that.
       if (missed[group] || !still_missed[group]) continue;
       of_group_[group] = gradings_before[group];
       fans_[point] = fans_before[point];
@@ -158,6 +160,7 @@ class Grader {
 
   // Fits those whose group has changed again, until none changes any more.
   void settle(const std::vector<int>& points) {
+    // Gradings only rise, and not beyond the last one.
     for (bool changed = true; changed;) {
       changed = false;
       for (int point : points) {
@@ -172,6 +175,8 @@ class Grader {
   void raise(int point) {
     surface::tell(search_, searched_, 1.0);
     Grading& grading = of_group_[groups_.find(point)];
+    // With a grading given, first and last are the same: squares are fitted, nothing is searched
+    // for.
     const int last = options_.grading > 0 ? grading.halvings : last_[groups_.find(point)];
     fans_[point] = least_graded_fan(surface_, point, limits_, grading, last);
     grading = fans_[point].grading;
@@ -183,6 +188,7 @@ class Grader {
     if (!is_irregular_[vertex]) return;
     const SquareFan& fan = fans_[vertex].fan;
     const auto found = std::ranges::find(fan.half_edges, h) - fan.half_edges.begin();
+    // In this block the point may be regular, as beyond a crease.
     if (!fan.graded[found]) return;
     const CornerNet& net = fan.nets[found];
     for (int i = 0; i <= net.inner; ++i) {

@@ -29,6 +29,7 @@ Vector3d unit_slope(const Vector3d& vector, const Vector3d& axis) {
   const double length = vector.norm();
   if (!(length > 0.0)) return Vector3d::Zero();
   const Vector3d unit = vector / length;
+  // Of v / |v| it is (I - n n^T) / |v|.
   return (axis - unit.dot(axis) * unit) / length;
 }
 
@@ -45,6 +46,7 @@ class SeamProblem {
       if (fan.seam_smooth[i]) add_seam(i, sine);
     }
     for (int i : seams_) unknowns_of_seam(i);
+    // So unknowns are about 1 at most, however small the squares.
     if (!seams_.empty()) unit_ /= static_cast<double>(seams_.size());
   }
 
@@ -104,6 +106,8 @@ class SeamProblem {
       const CornerNet &before = fan.nets[seams_[s]], &after = fan.nets[fan.after(seams_[s])];
       for (int k = 0; k < samples_[s].count(); ++k, ++number) {
         const SeamVectors v = samples_[s].vectors(k, before, after);
+        // The difference of the two unit normals across the seam, over the sine of the largest
+        // angle: 1 where the angle is that.
         visit(across_[number].dot(v.before.cross(v.along).normalized() -
                                   v.along.cross(v.after).normalized()),
               Sample{s, k, number, v});
@@ -121,10 +125,12 @@ class SeamProblem {
     const CornerNet& net = fan_.nets[i];
     const surface::SurfaceJet jet = net.evaluate(0.5, 0.5);
     const Vector3d normal = surface::unit_normal(jet.du, jet.dv);
+    // Along the normal the larger of the two, across it `stiffness`.
     const double more = std::max(normal_stiffness_ - stiffness, 0.0);
     const Eigen::Matrix3d stiff =
         stiffness * Eigen::Matrix3d::Identity() + more * normal * normal.transpose();
     unknowns_[i].assign(width(i) * width(i), -1);
+    // Row 0 is shared with the next square; column 0 is of the square before.
     for (int a = fan_.seam_smooth[i] ? 0 : 1; a < width(i); ++a) {
       for (int b = 1; b < width(i); ++b) {
         unknowns_[i][a * width(i) + b] = static_cast<int>(stiffness_.size());
@@ -142,6 +148,7 @@ class SeamProblem {
       const SeamVectors v = samples_.back().vectors(k, before, after);
       const Vector3d normal =
           v.before.cross(v.along).normalized() + v.along.cross(v.after).normalized();
+      // Fixed before the fit, so that it has no derivatives of its own.
       across_.push_back(normal.cross(v.along).normalized() / sine);
     }
   }
@@ -162,6 +169,7 @@ class SeamProblem {
     const Vector3d one = unit_slope(v.before.cross(v.along), across),
                    two = unit_slope(v.along.cross(v.after), across);
     // By the seam's tangent and by the derivatives across it.
+    // Triple products are turned so that the factor in question is alone.
     const Vector3d by_along = unit_ * (one.cross(v.before) + two.cross(v.after));
     const Vector3d by_before = unit_ * first * v.along.cross(one);
     const Vector3d by_after = unit_ * first * v.along.cross(two);
@@ -171,6 +179,8 @@ class SeamProblem {
     slopes.clear();
     for (int b = 0; b < width(before); ++b) {
       const double f = point.before.value[b], g = point.after.value[b];
+      // Points of the seam itself are in the tangent and, with the other sign, in both derivatives
+      // across.
       add(unknown(before, 0, b), point.before.slope[b] * by_along - f * by_before - g * by_after);
       add(unknown(before, 1, b), f * by_before);
       add(unknown(after, b, 1), g * by_after);
@@ -225,6 +235,7 @@ double fit_seams(SquareFan& fan, double enough, double normal_stiffness) {
   for (double stiffness : kStiffness) {
     if (!(least > enough) || !(least < kUseful * before)) break;
     before = stiffness < kStiffness.front() ? least : before;
+    // From the best so far, from where moves are counted anew.
     SquareFan moved = fan;
     if (!move_points(moved, angle, enough, stiffness, normal_stiffness) ||
         !is_unfolded(moved, model)) {

@@ -21,6 +21,7 @@ std::vector<double> places(int inner, int samples) {
 
 }  // namespace
 
+// Of a clamped cubic: the degree over the width of the first span, 2^-inner.
 double first_slope(int inner) { return 3.0 * std::exp2(inner); }
 
 SeamSamples SeamSamples::for_fit(const CornerNet& before, const CornerNet& after) {
@@ -46,6 +47,8 @@ SeamVectors SeamSamples::vectors(int k, const CornerNet& before, const CornerNet
   const double first = first_slope(before.inner);
   SeamVectors result{Vector3d::Zero(), Vector3d::Zero(), Vector3d::Zero()};
   for (int b = 0; b < before.count(); ++b) {
+    // The seam is u = 0 of the square before and v = 0 of the one after: both derivatives across it
+    // lead away from it, and at an end only the first two functions have a slope.
     result.along += point.before.slope[b] * before.at(0, b);
     result.before += first * point.before.value[b] * (before.at(1, b) - before.at(0, b));
     result.after += first * point.after.value[b] * (after.at(b, 1) - after.at(b, 0));

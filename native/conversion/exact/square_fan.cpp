@@ -14,6 +14,7 @@ namespace {
 double angle_of(const SeamVectors& vectors) {
   const Vector3d one = vectors.before.cross(vectors.along),
                  two = vectors.along.cross(vectors.after);
+  // Neither the arc cosine nor the sine keeps its digits at all angles.
   return std::atan2(one.cross(two).norm(), one.dot(two));
 }
 
@@ -38,6 +39,7 @@ SquareFan square_fan(const surface::LimitSurface& surface, int vertex, const Gra
     fan.nets.push_back(fan.graded.back() ? corner_net(surface, h, grading) : CornerNet{});
   }
   for (int i = 0; i < fan.count(); ++i) {
+    // The seam of a square is its side u = 0, the half-edge that comes back to the point.
     const bool is_crease = cells.is_crease(cells.prev(fan.half_edges[i]));
     fan.seam_smooth.push_back(!is_crease && fan.graded[i] && fan.graded[fan.after(i)]);
   }

@@ -20,6 +20,8 @@ double snapped(const std::vector<double>& knots, double t) {
 void insert(BSplineCurve& curve, double t, long times) {
   const std::vector<double>& knots = curve.knots;
   const auto after = std::upper_bound(knots.begin(), knots.end(), t);
+  // Only functions that live at t change: points before them stay, those after move up by one, and
+  // those between are de Boor's first step at t.
   const int span = static_cast<int>(after - knots.begin()) - 1;
   std::vector<Vector3d> points;
   for (int i = 0; i <= static_cast<int>(curve.points.size()); ++i) {
@@ -49,6 +51,8 @@ BSplineCurve between(const BSplineCurve& whole, double begin, double end) {
   const int degree = whole.degree;
   const auto inner = std::upper_bound(whole.knots.begin(), whole.knots.end(), begin);
   const auto outer = std::lower_bound(inner, whole.knots.end(), end);
+  // The number of the point met at `begin`, where there are as many knots as the degree, or one
+  // more at the curve's own end.
   const auto first = inner - whole.knots.begin() - degree - 1;
   BSplineCurve result{degree, std::vector<double>(degree + 1, 0.0), {}};
   for (auto knot = inner; knot != outer; ++knot) {
@@ -86,8 +90,10 @@ BSplineCurve BSplineCurve::reversed() const {
 void BSplineCurve::insert_knot(double t) { insert(*this, t, std::ranges::count(knots, t)); }
 
 BSplineCurve BSplineCurve::part(double begin, double end) const {
+  // Bit for bit, not over again through knots that are there.
   if (begin == 0.0 && end == 1.0) return *this;
   BSplineCurve whole = *this;
+  // A cut beside a knot by rounding would leave a span of no width.
   begin = snapped(knots, begin);
   end = snapped(knots, end);
   if (begin > 0.0) saturate(whole, begin);
@@ -96,6 +102,7 @@ BSplineCurve BSplineCurve::part(double begin, double end) const {
 }
 
 BSplineCurve clamped(BSplineCurve curve) {
+  // Between these all degree + 1 functions are there: the curve is not defined beyond.
   const double begin = curve.knots[curve.degree], end = curve.knots[curve.points.size()];
   saturate(curve, begin);
   saturate(curve, end);
@@ -110,6 +117,8 @@ double gap_between(const BSplineCurve& one, const BSplineCurve& two) {
   double largest = (one.points.front() - two.points.front()).norm();
   for (std::size_t k = 1; k < knots.size(); ++k) {
     if (!(knots[k] > knots[k - 1])) continue;
+    // Between knots of both the difference is one polynomial, which is zero if it is at so many
+    // places.
     for (int i = 1; i <= samples; ++i) {
       const double t = knots[k - 1] + (knots[k] - knots[k - 1]) * i / samples;
       largest = std::max(largest, (one.position(t) - two.position(t)).norm());

@@ -13,6 +13,7 @@ namespace {
 int find_span(const std::vector<double>& knots, int degree, double t) {
   const auto begin = knots.begin() + degree;
   const auto end = knots.end() - degree - 1;
+  // At the end: the last knot below it begins the span, however often the end is repeated.
   if (t >= *end) return static_cast<int>(std::lower_bound(begin, end, *end) - knots.begin()) - 1;
   return static_cast<int>(std::upper_bound(begin, end, t) - knots.begin()) - 1;
 }
@@ -26,6 +27,8 @@ Eigen::VectorXd functions_of_span(const std::vector<double>& knots, int degree, 
   for (int p = 1; p <= degree; ++p) {
     double carried = 0.0;
     for (int r = 0; r < p; ++r) {
+      // Both sums of the recursion at once: the left part of a function is carried to its
+      // neighbour. No difference is zero, as the span has a width.
       const double right = knots[span + r + 1], left = knots[span + r + 1 - p];
       const double share = values(r) / (right - left);
       values(r) = carried + (right - t) * share;
@@ -92,6 +95,7 @@ BasisValues basis_values(const std::vector<double>& knots, int degree, double t)
       differentiated(knots, degree, span, functions_of_span(knots, degree - 1, span, t))
           .transpose();
   if (degree >= 2) {
+    // Twice the rule of first derivatives, from two degrees below.
     const auto lowest = functions_of_span(knots, degree - 2, span, t);
     const auto lower = differentiated(knots, degree - 1, span, lowest);
     basis.rows.row(2) = differentiated(knots, degree, span, lower).transpose();
@@ -122,6 +126,7 @@ surface::SurfaceJet BSplinePatch::evaluate(double u, double v) const {
   const BasisValues along_v = basis_values(knots_v, degree_v, v);
   surface::SurfaceJet result;
   for (int i = 0; i <= degree_u; ++i) {
+    // Sums along v first, for all orders at once.
     Eigen::Matrix3d row = Eigen::Matrix3d::Zero();  // column d: d-th derivative along v
     for (int j = 0; j <= degree_v; ++j) {
       const Vector3d& point = control_point(along_u.first + i, along_v.first + j);
@@ -167,6 +172,7 @@ std::vector<double> BSplinePatch::side_knots(int side) const {
   std::vector<double> knots = side % 2 == 0 ? knots_u : knots_v;
   if (side >= 2) {
     std::ranges::reverse(knots);
+    // Rounded: whoever compares these with a neighbour's knots has to allow for that.
     for (double& knot : knots) knot = 1.0 - knot;
   }
   return knots;
@@ -180,6 +186,7 @@ double BSplinePatch::side_length(int side) const { return side_curve(side).polyg
 
 BSplinePatch BSplinePatch::turned() const {
   BSplinePatch result;
+  // New u runs along the old v, new v against the old u.
   result.degree_u = degree_v;
   result.degree_v = degree_u;
   result.knots_u = knots_v;

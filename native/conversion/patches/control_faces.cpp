@@ -17,6 +17,7 @@ int nearest_control_face(const PatchSet& set, const Vector3d& point) {
   int nearest = -1;
   double least = std::numeric_limits<double>::infinity();
   const auto take = [&](const BSplinePatch& patch, int cell, double u, double v) {
+    // To samples, not to the patch: a message is to name a face near by.
     const double distance = (patch.position(u, v) - point).norm();
     if (cell < 0 || cell >= static_cast<int>(set.cell_faces.size()) || !(distance < least)) return;
     least = distance;

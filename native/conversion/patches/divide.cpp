@@ -15,6 +15,7 @@ namespace {
 constexpr double kSameBreak = 1e-12;  // closer parameters differ by rounding
 
 void add_break(std::vector<double>& breaks, double t) {
+  // At its ends an edge has vertices already.
   if (!(t > kSameBreak && t < 1.0 - kSameBreak)) return;
   const auto next = std::lower_bound(breaks.begin(), breaks.end(), t - kSameBreak);
   if (next == breaks.end() || *next > t + kSameBreak) breaks.insert(next, t);
@@ -73,6 +74,7 @@ class Divider {
       if (use.patch < 0) continue;
       const SideEdge& part = uses_.part(use);
       for (double cut : cuts_along(use)) {
+        // Sides 2 and 3 run against u and v, and the second use against the first.
         const double s = use.side < 2 ? cut : 1.0 - cut;
         const double t = (s - part.begin) / (part.end - part.begin);
         add_break(divided.breaks, n == 0 ? t : 1.0 - t);
@@ -95,6 +97,7 @@ class Divider {
     for (int i = 0; i < static_cast<int>(set_.sides[p][k].size()); ++i) {
       const SideEdge& part = set_.sides[p][k][i];
       const DividedEdge& edge = edges_[part.edge];
+      // The other use meets the edge's pieces in the opposite order.
       const bool is_first = uses_.of(part.edge)[0] == EdgeUse{p, k, i};
       const int count = static_cast<int>(edge.breaks.size());
       SideEdge rest = part;
@@ -170,6 +173,7 @@ class Divider {
 
   static int vertex_at(const PatchSide& side, double s) {
     for (const SideEdge& part : side) {
+      // A part begins at every cut, but for rounding.
       if (part.begin > s - kSameBreak) return part.from;
     }
     return side.back().to;
@@ -192,6 +196,7 @@ class Divider {
   void add_block(int p, const std::vector<double>& u, const std::vector<double>& v, int i, int j) {
     if (set_.blocks.empty()) return;
     Block block = set_.blocks[p];
+    // A patch may be a part of its block already.
     const double width = block.end_u - block.begin_u, height = block.end_v - block.begin_v;
     const double u0 = block.begin_u, v0 = block.begin_v;
     block.begin_u = u0 + u[i] * width;
@@ -245,6 +250,7 @@ std::vector<double> evenly(const std::vector<double>& knots, int pieces) {
 }
 
 // Control points along one direction, at most, of pieces of a patch with simple knots.
+// Cubics have three more control points than spans.
 int most_along(int intervals, int pieces) { return (intervals + pieces - 1) / pieces + 3; }
 
 }  // namespace

@@ -16,6 +16,7 @@ EdgeUses::EdgeUses(const PatchSet& set)
         uses_[side.edge][uses_[side.edge][0].patch >= 0] = {p, k, i};
         if (set.curve(p, k, side).polygon_length() > tolerance) continue;
         collapsed_[side.edge] = true;
+        // Both ends are one vertex, or what meets there would not join.
         groups.join(side.from, side.to);
       }
     }
@@ -38,6 +39,7 @@ std::vector<std::vector<EdgeUse>> border_loops(const EdgeUses& uses, int edge_co
     while (!done[uses.part(use).edge]) {
       const int number = uses.part(use).edge;
       done[number] = 1;
+      // Walked along like any other, but not told.
       if (!uses.is_collapsed(number)) loop.push_back(use);
       // Around the vertex, from patch to patch, to the next border.
       use = uses.next(use);

@@ -16,6 +16,7 @@ bool is_flat(const BSplinePatch& patch, double width) {
   for (double u : {0.1, 0.3, 0.5, 0.7, 0.9}) {
     for (double v : {0.1, 0.3, 0.5, 0.7, 0.9}) {
       const surface::SurfaceJet jet = patch.evaluate(u, v);
+      // Where both are short the patch is a point there, which is flat as well.
       const double longer = std::max(jet.du.norm(), jet.dv.norm());
       if (longer > width && jet.du.cross(jet.dv).norm() > width * longer) return false;
     }
@@ -32,6 +33,7 @@ void split(PatchSet& set, int p, int k, std::size_t i, double share, int vertex)
     for (PatchSide& side : sides) {
       for (std::size_t j = 0; j < side.size(); ++j) {
         if (side[j].edge != old.edge) continue;
+        // The other use of the edge runs against this one.
         const bool backwards = side[j].from != old.from;
         const double at = backwards ? 1.0 - share : share;
         SideEdge first = side[j], second = side[j];
@@ -52,6 +54,7 @@ bool match_edges(PatchSet& set, int p, int side, int other) {
   const PatchSide theirs = set.sides[p][other];
   bool any = false;
   for (std::size_t i = 0; i + 1 < theirs.size(); ++i) {
+    // The sides lie on one another the other way.
     const double at = 1.0 - theirs[i].end;
     for (std::size_t j = 0; j < set.sides[p][side].size(); ++j) {
       const SideEdge part = set.sides[p][side][j];
@@ -71,6 +74,7 @@ std::array<int, 2> folded_sides(const BSplinePatch& patch, double tolerance) {
   for (int k = 0; k < 4; ++k) {
     if (patch.side_length(k) > tolerance) with_length.push_back(k);
   }
+  // Otherwise nothing tells which side lies on which.
   if (with_length.size() != 2) return {-1, -1};
   const auto [a, b] = std::pair(with_length[0], with_length[1]);
   if (gap_between(patch.side_curve(a), patch.side_curve(b).reversed()) > tolerance) return {-1, -1};
@@ -89,6 +93,7 @@ void close_gap(const std::array<PatchSide, 4>& sides, const std::array<int, 2>& 
   }
   for (int k = 0; k < 4; ++k) {
     if (k == folded[0] || k == folded[1]) continue;
+    // Sides of no length: both their ends are one point.
     for (const SideEdge& part : sides[k]) vertices.join(part.from, part.to);
   }
 }
@@ -132,6 +137,7 @@ void unify_edges(PatchSet& set, mesh::Groups& edges) {
         const int edge = edges.find(part.edge);
         Use& use = uses[edge];
         if (use.patch < 0) use = {p, k, part};
+        // The same edge, or the only use so far: nothing to compare.
         if ((use.patch == p && use.side == k) || use.part.edge == part.edge) {
           part.edge = edge;
           continue;
@@ -145,6 +151,7 @@ void unify_edges(PatchSet& set, mesh::Groups& edges) {
         }
         const double gap =
             gap_between(set.curve(p, k, part), set.curve(use.patch, use.side, use.part).reversed());
+        // What does not lie together to rounding stays a border on either side.
         part.edge = gap <= tolerance ? edge : set.edge_count++;
       }
     }
@@ -157,6 +164,7 @@ WithoutFlatPatches without_flat_patches(const PatchSet& set) {
   const double tolerance = kNoLength * set.size();
   std::vector<char> is_left_out;
   for (const BSplinePatch& patch : set.patches) {
+    // A set without a size is one point.
     is_left_out.push_back(tolerance == 0.0 || is_flat(patch, tolerance));
   }
   PatchSet all = set;
@@ -165,6 +173,7 @@ WithoutFlatPatches without_flat_patches(const PatchSet& set) {
   for (int p = 0; p < count; ++p) {
     if (is_left_out[p]) folded[p] = folded_sides(set.patches[p], tolerance);
   }
+  // An edge that is split may be on the side of another flat patch, which then has to follow.
   for (bool again = true; again;) {
     again = false;
     for (int p = 0; p < count; ++p) {

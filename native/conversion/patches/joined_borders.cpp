@@ -29,6 +29,7 @@ void join_borders(PatchSet& set) {
   std::vector<Side> first(set.edge_count);
   for (int p = 0; p < static_cast<int>(set.patches.size()); ++p) {
     for (int k = 0; k < 4; ++k) {
+      // Control points of a side of several edges belong to more than one of them.
       if (set.sides[p][k].size() != 1) continue;
       Side& known = first[set.sides[p][k].front().edge];
       if (known.patch < 0) {
@@ -38,6 +39,7 @@ void join_borders(PatchSet& set) {
       const BSplinePatch& from = set.patches[known.patch];
       BSplinePatch& to = set.patches[p];
       if (!have_same_knots(from, known.side, to, k)) continue;
+      // Neighbours run along their edge the other way.
       const int last = to.side_count(k) - 1;
       for (int i = 0; i <= last; ++i) {
         to.control_points[to.side_index(k, i)] =

@@ -37,6 +37,8 @@ class KnotMatcher {
 
   void match() {
     const EdgeUses uses(set_);
+    // Comes to an end: a knot keeps its place between the sides of cells, so that a row of cells
+    // takes it once, and once more turned round.
     for (bool changed = true; changed;) {
       changed = false;
       for (int edge = 0; edge < set_.edge_count; ++edge) {
@@ -46,6 +48,7 @@ class KnotMatcher {
         if (carry(two, one)) changed = true;
       }
     }
+    // Once all are known: insertion goes through whole patches.
     for (std::size_t p = 0; p < lists_.size(); ++p) insert(p);
   }
 
@@ -54,11 +57,13 @@ class KnotMatcher {
   bool carry(const EdgeUse& from, const EdgeUse& to) {
     const SideEdge &a = part(from), &b = part(to);
     bool changed = false;
+    // A copy: a patch may be on both sides of an edge.
     const std::vector<double> knots = list(from).all;
     for (double knot : knots) {
       const double s = from.side < 2 ? knot : 1.0 - knot;
       const double t = (s - a.begin) / (a.end - a.begin);
       if (!(t > kSameKnot && t < 1.0 - kSameKnot)) continue;
+      // The two parts run against each other.
       const double other = b.end - t * (b.end - b.begin);
       if (list(to).add(to.side < 2 ? other : 1.0 - other)) changed = true;
     }

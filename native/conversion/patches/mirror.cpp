@@ -27,6 +27,7 @@ MirrorSeam find_seam(const PatchSet& set) {
   for (int p = 0; p < static_cast<int>(set.patches.size()); ++p) {
     for (int k = 0; k < 4; ++k) {
       for (const SideEdge& part : set.sides[p][k]) {
+        // Only borders: an edge of two patches in the plane is the middle of something thin.
         if (uses[part.edge] != 1) continue;
         if (!lies_in_centre_plane(set.curve(p, k, part), size)) continue;
         seam.edges[part.edge] = true;
@@ -42,6 +43,7 @@ MirrorSeam find_seam(const PatchSet& set) {
 void flatten_part(BSplinePatch& patch, int side, const SideEdge& part, double tolerance) {
   const std::vector<double> knots = patch.side_knots(side);
   for (int i = 0; i < patch.side_count(side); ++i) {
+    // Function i lives between knots i and i + degree + 1.
     if (knots[i] >= part.end || knots[i + patch.side_degree(side) + 1] <= part.begin) continue;
     double& y = patch.control_points[patch.side_index(side, i)].y();
     if (std::abs(y) <= tolerance) y = 0.0;
@@ -112,6 +114,7 @@ PatchSet with_mirror_image(const PatchSet& half) {
     // Transposed, the image runs the other way round and so has its normal outside again.
     whole.corners.push_back({vertices[c[0]], vertices[c[3]], vertices[c[2]], vertices[c[1]]});
     std::array<PatchSide, 4> sides;
+    // With u and v exchanged side 3 - k is side k, run the other way.
     for (int k = 0; k < 4; ++k) sides[k] = image_of(half.sides[p][3 - k], vertices, edges);
     whole.sides.push_back(std::move(sides));
   }

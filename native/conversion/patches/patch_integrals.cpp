@@ -39,6 +39,8 @@ std::vector<Node> nodes_of(const std::vector<double>& knots, int degree) {
 }  // namespace
 
 SurfaceIntegrals integrals_of(const BSplinePatch& patch) {
+  // A tensor rule: the functions along v are computed once for all u, and the sum along u once for
+  // all v.
   const std::vector<Node> across = nodes_of(patch.knots_v, patch.degree_v);
   SurfaceIntegrals sum;
   // The control points, and their derivatives by u, of the curve of one u.
@@ -60,6 +62,7 @@ SurfaceIntegrals integrals_of(const BSplinePatch& patch) {
         du += v.basis.rows(0, j) * slopes[v.basis.first + j];
         dv += v.basis.rows(1, j) * points[v.basis.first + j];
       }
+      // The unit normal times the element of area, so the cone's volume is a polynomial's integral.
       const Vector3d normal = du.cross(dv);
       const double weight = u.weight * v.weight;
       sum.area += weight * normal.norm();

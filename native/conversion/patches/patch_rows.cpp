@@ -10,6 +10,7 @@ BSplinePatch with_rows_along_u(const BSplinePatch& patch,
     BSplineCurve row{patch.degree_u, patch.knots_u, {}};
     for (int i = 0; i < patch.count_u; ++i) row.points.push_back(patch.control_point(i, j));
     row = change(row);
+    // The first row tells how many points and which knots there are; the others come to the same.
     if (j == 0) {
       result.count_u = static_cast<int>(row.points.size());
       result.control_points.resize(row.points.size() * patch.count_v);

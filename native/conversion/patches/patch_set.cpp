@@ -47,6 +47,7 @@ void check_vertex(const PatchSet& set, int p, int vertex) {
 void check_side(const PatchSet& set, int p, int k) {
   const BSplinePatch& patch = set.patches[p];
   check_vertex(set, p, set.corners[p][k]);
+  // Exactly: ends of parts are copies of the next ones' beginnings.
   double at = 0.0;
   int vertex = set.corners[p][k];
   for (const SideEdge& part : set.sides[p][k]) {
@@ -73,6 +74,7 @@ void check_inner_vertices(const PatchSet& set, const std::vector<Use>& vertices,
     for (int k = 0; k < 4; ++k) {
       const PatchSide& side = set.sides[p][k];
       for (std::size_t i = 0; i + 1 < side.size(); ++i) {
+        // By a patch that has its corner there; none where a border only turns into another one.
         const Use& use = vertices[side[i].to];
         if (use.patch < 0) continue;
         const BSplinePatch& other = set.patches[use.patch];
@@ -125,6 +127,7 @@ void for_each_joint(const PatchSet& set, const Visit& visit) {
   for (int p = 0; p < static_cast<int>(set.patches.size()); ++p) {
     for (int k = 0; k < 4; ++k) {
       for (const SideEdge& part : set.sides[p][k]) {
+        // The first use stays for all later ones, so that a third one is seen.
         Use& use = uses[part.edge];
         if (use.patch >= 0) {
           visit(use, Use{p, k, &part});
@@ -155,6 +158,7 @@ double PatchSet::largest_gap() const {
 }
 
 void PatchSet::check() const {
+  // Each check leans on those before it.
   for (const BSplinePatch& patch : patches) patch.check();
   check_numbers(*this);
   std::vector<Use> vertex_use(vertex_count);

@@ -21,6 +21,7 @@ int data_intervals(int control_points) { return 2 * control_points + 2; }
 std::vector<Vector3d> edge_curve(const surface::LimitSurface& surface, const UniformFit& fit, int h,
                                  const std::vector<Vector3d>& vertices) {
   const mesh::Topology& cells = surface.cells();
+  // Not computed along h: its ends are shared with other edges bit for bit.
   std::vector<Vector3d> data{vertices[cells.origin(h)]};
   for (int i = 1; i < fit.intervals(); ++i) {
     data.push_back(point_on_half_edge(surface, h, static_cast<double>(i) / fit.intervals()));
@@ -80,6 +81,7 @@ PatchSet fit_per_cell(const surface::LimitSurface& given, int control_points) {
         points = edge_curve(surface, fit, h, vertices);
       }
       for (int i = 0; i < n; ++i) {
+        // The neighbour's curve read backwards.
         patch.control_points[patch.side_index(k, i)] = points[along == h ? i : n - 1 - i];
       }
     }

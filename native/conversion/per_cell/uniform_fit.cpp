@@ -25,6 +25,7 @@ UniformFit::UniformFit(int control_points, int intervals) {
     const BasisValues values = basis_values(knots, 3, static_cast<double>(i) / intervals);
     basis_.block(i, values.first, 1, 4) = values.rows.row(0);
   }
+  // The first and last point are given, and only data between count.
   const Eigen::MatrixXd inner = basis_.block(1, 1, intervals - 1, control_points - 2);
   solver_ = mesh::pseudo_inverse(inner);
 }
@@ -55,6 +56,7 @@ void UniformFit::interior(const std::vector<Vector3d>& data, std::vector<Vector3
     for (int i = 0; i < n; ++i) {
       for (int j = 0; j < n; ++j) border(i, j) = points[i * n + j](axis);
     }
+    // What the given border alone makes of the patch is taken off the data.
     border.block(1, 1, n - 2, n - 2).setZero();
     for (int i = 1; i < m; ++i) {
       for (int j = 1; j < m; ++j) rest(i - 1, j - 1) = data[i * (m + 1) + j](axis);

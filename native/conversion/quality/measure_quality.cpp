@@ -99,6 +99,7 @@ QualityReport measure_quality(const surface::LimitSurface& surface, const PatchS
   }
   for (std::size_t p = 0; p < set.patches.size(); ++p) {
     const double next = done + static_cast<double>(set.patches[p].control_points.size());
+    // Time goes with control points, not with patches.
     const surface::Progress part = surface::part_of(progress, kShareOfPatches * done / points,
                                                     kShareOfPatches * next / points);
     take_patch(report, squares, exact, measure_patch(gauge, static_cast<int>(p), part));

@@ -23,6 +23,7 @@ std::vector<double> breaks_of(const std::vector<double>& knots, int cells, doubl
                               double end) {
   std::vector<double> numbers = knots;
   for (int i = 1; i < cells; ++i) {
+    // By the patch's parameter; those beyond its part are left out by breaks_between().
     numbers.push_back((static_cast<double>(i) / cells - begin) / (end - begin));
   }
   return breaks_between(std::move(numbers));
@@ -53,6 +54,7 @@ class PatchMeasure {
     const std::array<bool, 4> fine = irregular_corners();
     std::vector<double> u = breaks_of(patch_.knots_u, block_.count_u, block_.begin_u, block_.end_u);
     std::vector<double> v = breaks_of(patch_.knots_v, block_.count_v, block_.begin_v, block_.end_v);
+    // Corners 0 and 3 are where u begins, 0 and 1 where v does.
     refine_ends(u, fine[0] || fine[3], fine[1] || fine[2]);
     refine_ends(v, fine[0] || fine[1], fine[2] || fine[3]);
     u_ = sample_line(u, gauge.rule);
@@ -87,6 +89,8 @@ class PatchMeasure {
     const mesh::Topology& cells = gauge_.surface.cells();
     std::array<bool, 4> result{};
     for (int k = 0; k < 4; ++k) {
+      // A part of a block has the block's corner only where both sides that meet there are the
+      // block's.
       if (!is_on_side(block_, k) || !is_on_side(block_, (k + 3) % 4)) continue;
       result[k] = gauge_.irregular[cells.origin(block_.half_edges(cells, k).front())] != 0;
     }
@@ -116,10 +120,13 @@ class PatchMeasure {
     }
     NearPoint near{place_in_block(block_, u_.at[i], v_.at[j]), 0.0};
     const auto [cell, cell_u, cell_v] = near.place;
+    // At its own place first: where the patch is exact no descent is needed.
     near.distance = (point - gauge_.ringed.position(cell, cell_u, cell_v)).norm();
     if (near.distance > gauge_.negligible()) {
       near = near_surface(gauge_.ringed, point, near.place, gauge_.negligible());
     }
+    // Nothing at the sides, whose samples have no weight: they count for the largest distances
+    // only.
     const double area = u_.weights[i] * v_.weights[j] * du.cross(dv).norm();
     const int interval = u_.intervals[i] * v_.interval_count + v_.intervals[j];
     areas_[interval] += area;
@@ -128,6 +135,7 @@ class PatchMeasure {
     if (near.distance > gauge_.negligible()) {
       candidates_.push_back({{near.distance, point, near.place}, area});
     } else {
+      // What is rounding needs no second look.
       found_.distance.take(near.distance, point, near.place);
     }
   }
@@ -137,6 +145,7 @@ class PatchMeasure {
     std::sort(candidates_.begin(), candidates_.end(),
               [](const Candidate& a, const Candidate& b) { return a.found.value > b.found.value; });
     for (const auto& [found, area] : candidates_) {
+      // The others are smaller still.
       if (kAlmost * found.value <= found_.distance.value) return;
       // A little farther, so that the foot that is known is found: without one all that is as near
       // would be cut to parts.
@@ -145,6 +154,7 @@ class PatchMeasure {
       if (closest.cell >= 0 && closest.distance < found.value) {
         const CellPoint place{closest.cell, closest.u, closest.v};
         found_.distance.take(closest.distance, found.point, place);
+        // In place of what the descent had found.
         squares_ += area * (closest.distance * closest.distance - found.value * found.value);
       } else {
         found_.distance.take(found);

@@ -15,6 +15,7 @@ constexpr double kDegrees = 180.0 / std::numbers::pi;
 std::string json_of(double value) {
   if (!std::isfinite(value)) return "null";
   std::array<char, 32> buffer{};
+  // The shortest digits that are read back as the same number, whatever the locale.
   const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr;
   return {buffer.data(), end};
 }

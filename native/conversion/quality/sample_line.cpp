@@ -25,6 +25,7 @@ void refine_ends(std::vector<double>& breaks, bool at_begin, bool at_end) {
   const double first = breaks[1], last = 1.0 - breaks[breaks.size() - 2];
   double share = 0.5;
   for (int i = 0; i < kHalvings; ++i, share *= 0.5) {
+    // Shares of the interval as it was.
     if (at_begin) breaks.push_back(share * first);
     if (at_end) breaks.push_back(1.0 - share * last);
   }
@@ -40,6 +41,7 @@ SampleLine sample_line(const std::vector<double>& breaks, const analysis::GaussR
     line.intervals.push_back(interval);
   };
   line.interval_count = static_cast<int>(breaks.size()) - 1;
+  // Ends belong to the intervals beside them, and to no integral.
   add(0.0, 0.0, 0);
   for (int k = 0; k < line.interval_count; ++k) {
     const double size = breaks[k + 1] - breaks[k];

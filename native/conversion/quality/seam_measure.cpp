@@ -24,6 +24,7 @@ std::optional<double> section_curvature(const surface::SurfaceJet& jet, const Ve
   Eigen::Matrix<double, 3, 2> slope;
   slope << jet.du, jet.dv;
   const Eigen::Matrix2d metric = slope.transpose() * slope;
+  // The direction by du and dv (first fundamental form), of unit length in space.
   const Eigen::Vector2d step = metric.inverse() * slope.transpose() * direction;
   const Vector3d bend = step.x() * step.x() * jet.duu + 2.0 * step.x() * step.y() * jet.duv +
                         step.y() * step.y() * jet.dvv;
@@ -42,6 +43,7 @@ class Bank {
         patch_(gauge.set.patches[use.patch]),
         block_(gauge.set.blocks[use.patch]),
         use_(use) {
+    // A side within its block runs between cells or through them.
     if (!has_cells() || !is_on_side(block_, use.side)) return;
     half_edges_ = block_.half_edges(cells_, use.side);
     const auto [begin, end] = part_of_side(block_, use.side);
@@ -54,12 +56,14 @@ class Bank {
   // Whether it runs along sides of cells, those of its block.
   bool is_along_cells() const { return !half_edges_.empty(); }
   int half_edge(double t) const {
+    // Rounding must not lead into the cell before the seam or the one after it.
     const int first = static_cast<int>(std::floor(begin_ + kSeamRounding));
     const int last = static_cast<int>(std::ceil(end_ - kSeamRounding)) - 1;
     return half_edges_[std::clamp(static_cast<int>(begin_ + t * (end_ - begin_)), first, last)];
   }
   // Whether an irregular point is where the seam begins.
   bool begins_at_irregular_point(const QualityGauge& gauge) const {
+    // Not within a side of a cell, whose half-edge begins elsewhere.
     return is_along_cells() && std::abs(begin_ - std::round(begin_)) < kSeamRounding &&
            gauge.irregular[cells_.origin(half_edge(0.0))] != 0;
   }
@@ -83,6 +87,7 @@ class Bank {
       breaks.push_back(reversed ? 1.0 - t : t);
     };
     for (double knot : patch_.side_knots(use_.side)) add(knot);
+    // Cells count along the block's side, which may be longer than the patch's.
     for (int i = static_cast<int>(std::ceil(begin_)); i < end_; ++i) {
       const double t = (i - begin_) / (end_ - begin_);
       breaks.push_back(reversed ? 1.0 - t : t);
@@ -93,6 +98,7 @@ class Bank {
     double best = (point - jet(t).point).norm();
     for (int step = 0; step < 6; ++step) {
       const surface::SurfaceJet here = jet(t);
+      // By t, which runs from 0 to 1 over the part.
       const Vector3d slope = (use_.part.end - use_.part.begin) * tangent(here);
       if (!(slope.squaredNorm() > 0.0)) break;
       t = std::clamp(t + slope.dot(point - here.point) / slope.squaredNorm(), 0.0, 1.0);
@@ -140,18 +146,22 @@ class SeamMeasure {
 
  private:
   void find_irregular_ends() {
+    // The other bank begins where this one ends.
     ends_ = {one_.jet(0.0).point, one_.jet(1.0).point};
     is_irregular_ = {one_.begins_at_irregular_point(gauge_),
                      two_.begins_at_irregular_point(gauge_)};
   }
 
   void take_sample(double t) {
+    // Every bank counts along its own side, and the two run against each other.
     const surface::SurfaceJet here = one_.jet(t), there = two_.jet(1.0 - t);
     const Vector3d middle = 0.5 * (here.point + there.point);
     const CellPoint place = one_.has_cells() ? one_.place(t) : two_.place(1.0 - t);
+    // At equal shares of the edge first: mostly nothing nearer need be looked for.
     double gap = (here.point - there.point).norm();
     if (gap > gauge_.negligible()) gap = two_.distance(here.point, 1.0 - t);
     found_.gap.take(gap, middle, place);
+    // Smooth all along, or not at all: one sample on a crease drops what was taken before.
     found_.is_smooth = found_.is_smooth && is_smooth_at(t);
     if (!found_.is_smooth) return;
     const Vector3d normal = surface::unit_normal(here.du, here.dv),
@@ -162,6 +172,7 @@ class SeamMeasure {
         .take(angle_between(normal, other), middle, place);
     const Vector3d along = one_.tangent(here), back = two_.tangent(there);
     if (along.isZero(0.0) || back.isZero(0.0)) return;
+    // The sign of the direction does not matter, so each bank may take its own.
     const auto across = section_curvature(here, normal, normal.cross(along).normalized());
     const auto beyond = section_curvature(there, other, other.cross(back).normalized());
     if (!across || !beyond) return;

@@ -22,6 +22,7 @@ class CreaseEnds {
   // The step that goes on where this one ends.
   ChainStep after(const ChainStep& step) const {
     const int vertex = step.to(t_);
+    // Anywhere else the chain ends.
     if (t_.kind(vertex) != mesh::VertexKind::kCrease) return kNoStep;
     const auto [a, b] = ends_[vertex];
     const int h = a == step.half_edge ? b : a;
@@ -31,6 +32,7 @@ class CreaseEnds {
  private:
   void add(int vertex, int h) {
     if (t_.kind(vertex) != mesh::VertexKind::kCrease) return;
+    // The crease rule has two of them.
     ends_[vertex][ends_[vertex][0] < 0 ? 0 : 1] = h;
   }
 
@@ -62,6 +64,7 @@ CreaseChain chain_through(const mesh::Topology& t, const CreaseEnds& ends, int h
   chain.closed = step.half_edge >= 0;
   if (!chain.closed) chain.vertices.push_back(chain.steps.back().to(t));
   const auto is_dart = [&t](int vertex) { return t.kind(vertex) == mesh::VertexKind::kDart; };
+  // Knots crowd towards a dart, and numbers do towards t = 0.
   if (is_dart(chain.vertices.back()) && !is_dart(chain.vertices.front())) turn_around(chain);
   return chain;
 }

@@ -25,6 +25,8 @@ struct ChainEnd {
 
 // A corner, and the point before.
 ChainEnd corner_end(const Vector3d& last, const Vector3d& before, double step) {
+  // The ghost point makes the uniform spline pass through `last`: (q + 4 p + 2 p - q) / 6 = p.
+  // Negative distances are beyond the end.
   return {{2.0 * last - before}, {0.0, -step, -2.0 * step, -3.0 * step}, 0.0};
 }
 
@@ -40,11 +42,13 @@ ChainEnd dart_end(DartWalk& walk, Vector3d p1, Vector3d p2, double step, double 
   for (int k = 0; k < most_knots && walk.extent() > tolerance; ++k) {
     end.points.push_back((5.0 * p1 + p2) / 6.0);
     end.knots.push_back(distance *= 0.5);
+    // One subdivision on: the point at 1 becomes the one at 2, and the first new one is at 1.
     p2 = (p0 + 6.0 * p1 + p2) / 8.0;
     p1 = 0.5 * (p0 + p1);
     walk.advance();
     p0 = walk.point();
   }
+  // f(0, 1, 2), f(0, 0, 1), and in place of f(0, 0, 0) the surface's own point.
   end.points.insert(end.points.end(), {p1, (2.0 * p0 + p1) / 3.0, walk.limit()});
   end.knots.insert(end.knots.end(), 4, 0.0);
   end.error = walk.extent();
@@ -60,6 +64,7 @@ class OpenChain {
     const mesh::Topology& t = surface.mesh().topology();
     for (int v : chain.vertices) points_.push_back(surface.mesh().points()[v]);
     const auto is_dart = [&t](int vertex) { return t.kind(vertex) == mesh::VertexKind::kDart; };
+    // The half-edges that leave the darts along the chain.
     if (is_dart(chain.vertices.front())) first_.emplace(surface, chain.steps.front().left(t));
     if (is_dart(chain.vertices.back())) last_.emplace(surface, chain.steps.back().right(t));
     while ((first_ || last_) && points_.size() <= kDartChainEdges) subdivide();
@@ -75,6 +80,7 @@ class OpenChain {
     std::vector<Vector3d> points(first.points.rbegin(), first.points.rend());
     points.insert(points.end(), points_.begin() + (first_ ? 2 : 0),
                   points_.end() - (last_ ? 2 : 0));
+    // Rising t: what belongs to the first end is given from the inside outwards, so backwards.
     std::vector<double> knots(first.knots.rbegin(), first.knots.rend());
     for (std::size_t i = 1; i + 1 < n; ++i) knots.push_back(step_ * static_cast<double>(i));
     points.insert(points.end(), last.points.begin(), last.points.end());
@@ -96,6 +102,8 @@ class OpenChain {
     std::vector<Vector3d> finer;
     for (std::size_t i = 0; i < points_.size(); ++i) {
       if (i > 0) finer.push_back(0.5 * (points_[i - 1] + points_[i]));
+      // The crease rule (Greshake 5.6); corners stay, and darts are put where their walks have
+      // them.
       const bool inner = i > 0 && i + 1 < points_.size();
       finer.push_back(inner ? Vector3d((points_[i - 1] + 6.0 * points_[i] + points_[i + 1]) / 8.0)
                             : points_[i]);
@@ -164,6 +172,7 @@ CellPlace CreaseCurve::left(double t) const {
 
 CellPlace CreaseCurve::right(double t) const {
   const int i = std::min(static_cast<int>(t), edge_count() - 1);
+  // The half-edge at the right runs against the curve.
   return place_on(edges_[i].right, edges_[i].after_right, 1.0 - (t - i));
 }
 

@@ -21,6 +21,7 @@ CubicSpline::CubicSpline(std::vector<Vector3d> points, std::vector<double> knots
 
 CurveJet CubicSpline::evaluate(double t, int order) const {
   assert(t >= begin() && t <= end());
+  // Searched between the ends, so that t = end() falls into the last span.
   const auto first = knots_.begin() + 4, last = knots_.end() - 4;
   const auto span = std::upper_bound(first, last, t) - knots_.begin() - 1;
   // Of the span [k[2], k[3]]: point i belongs to the knots k[i], k[i + 1], k[i + 2] (de Boor 1978,
@@ -34,6 +35,8 @@ CurveJet CubicSpline::evaluate(double t, int order) const {
   }
   jet.point = c[3];
   if (order < 1) return jet;
+  // Control points of the derivative: degree times differences over the knots that two points
+  // share.
   Vector3d d[3];
   for (int i = 0; i < 3; ++i) d[i] = 3.0 / (k[i + 3] - k[i]) * (p[i + 1] - p[i]);
   jet.d1 = between(between(d[0], d[1], k[1], k[3], t), between(d[1], d[2], k[2], k[4], t), k[2],

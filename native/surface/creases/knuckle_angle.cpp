@@ -14,6 +14,7 @@ double angle_between(const Vector3d& left, const Vector3d& right, const Vector3d
   if (left.isZero(0.0) || right.isZero(0.0) || !(length > 0.0)) {
     return std::numeric_limits<double>::quiet_NaN();
   }
+  // Not the arc cosine, which has no sign and loses half of its digits at small angles.
   return std::atan2(left.cross(right).dot(along) / length, left.dot(right));
 }
 

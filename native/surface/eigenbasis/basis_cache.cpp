@@ -6,6 +6,7 @@
 namespace hull::surface {
 
 std::shared_ptr<const CornerBasis> BasisCache::get(const CornerKey& key) {
+  // Held while a basis is made: who asks for the same one waits rather than makes it again.
   const std::lock_guard lock(mutex_);
   std::shared_ptr<const CornerBasis>& basis = bases_[key];
   if (basis) return basis;

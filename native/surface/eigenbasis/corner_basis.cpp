@@ -34,6 +34,8 @@ struct RingPlace {
 };
 
 RingPlace place_in_ring(double u, double v) {
+  // The ring of (u, v), Greshake 4.12 as mended in docs/surface.md: frexp() tells the power of two
+  // above max(u, v), and 1 itself is of the first ring.
   int exponent = 0;
   std::frexp(std::max(u, v), &exponent);
   const int level = std::max(1, 1 - exponent);
@@ -59,6 +61,7 @@ CornerBasis::CornerBasis(const CornerKey& key, const LocalMatrices& local,
   extend_eigenvectors();
   place_segments();
   // In second derivatives the rest grows by 4 a level, the leading terms by at least 4 · 1/4.
+  // Outer points fall by 1/8 a level, however fast the ring's own rest does.
   const double decay = std::max(spectrum_->rest, 0.126);
   rest_levels_ = static_cast<int>(std::ceil(std::log(1e-18) / std::log(decay))) + 40;
   find_rest_powers();
@@ -91,6 +94,7 @@ void CornerBasis::extend_eigenvectors() {
       }
       wanted.segment(outer * j, outer) = -C * ring_right.col(block.begin + j);
     }
+    // Regular, as D's eigenvalues are 1/8 at most, and L's above kDominantFloor.
     const Eigen::VectorXd solution = system.partialPivLu().solve(wanted);
     for (int j = 0; j < size; ++j) {
       right_.block(ring, block.begin + j, outer, 1) = solution.segment(outer * j, outer);
@@ -104,6 +108,7 @@ void CornerBasis::extend_eigenvectors() {
 // derivatives, which powers of A would drown.
 void CornerBasis::find_rest_powers() {
   Eigen::MatrixXd power = A_;
+  // A (I - right left^T), where left has no part in the outer points.
   power.leftCols(spectrum_->left.rows()) -= A_ * right_ * spectrum_->left.transpose();
   for (int steps = 1; steps <= rest_levels_; steps *= 2) {
     rest_powers_.push_back(power);
@@ -119,6 +124,7 @@ void CornerBasis::place_segments() {
     segment.dominant = segment.rows * right_;
     std::array<int, 16>& rows = segment_rows_.emplace_back();
     for (int i = 0; i < 16; ++i) rows[i] = refine_.add(segment.rows.row(i));
+    // In quarters of the cell: segments beside a modified edge are as small.
     const int i0 = static_cast<int>(4 * segment.u), j0 = static_cast<int>(4 * segment.v);
     const int span = static_cast<int>(4 * segment.size);
     for (int j = j0; j < j0 + span; ++j) {
@@ -132,6 +138,7 @@ void CornerBasis::prepare(CornerPoints& points) const {
   points.segments.resize(static_cast<std::size_t>(kPlainRings) * segments_.size());
   std::vector<Vector3d> refined(refine_.count());
   for (int level = 0; level < kPlainRings; ++level) {
+    // One product gives the next square and the segments of the ring around it.
     refine_.multiply(points.square(level).data(), refined.data());
     std::vector<Vector3d>& next = level + 1 == kPlainRings ? points.inner : points.middle[level];
     next.resize(points.outer.size());
@@ -154,6 +161,7 @@ EigenCoordinates CornerBasis::eigen_coordinates(const CornerPoints& points) cons
   EigenCoordinates result;
   result.rest.resize(point_count(), 3);
   for (int i = 0; i < point_count(); ++i) {
+    // Seen from its own corner, coordinates are as small as the square, and so is their rounding.
     result.rest.row(i) = (inner[i] - inner.front()).transpose();
   }
   result.dominant =
@@ -166,6 +174,7 @@ void CornerBasis::advance(EigenCoordinates& coordinates, int steps) const {
   for (const DominantBlock& block : spectrum_->blocks) {
     auto rows = coordinates.dominant.middleRows(block.begin, block.size);
     if (block.coupled) {
+      // Jordan blocks and rotations have no powers of numbers.
       for (int k = 0; k < steps; ++k) rows = (block.action * rows).eval();
     } else {
       rows *= steps == 1 ? block.eigenvalue : std::pow(block.eigenvalue, steps);
@@ -175,6 +184,7 @@ void CornerBasis::advance(EigenCoordinates& coordinates, int steps) const {
     coordinates.rest.setZero();
   } else {
     for (std::size_t k = 0; k < rest_powers_.size(); ++k) {
+      // By the binary digits of the number of steps.
       if ((steps >> k & 1) == 0) continue;
       coordinates.rest = rest_powers_[k].lazyProduct(coordinates.rest).eval();
     }
@@ -194,6 +204,7 @@ void CornerBasis::evaluate(const CornerPoints& points, double u, double v, int o
   if (place.level > kPlainRings) {
     return evaluate_deep(points, place.level, place.u, place.v, order, jet);
   }
+  // The min is for u or v of 1, which have no quarter of their own.
   const int s = segment_at_[std::min(3, static_cast<int>(4.0 * place.v))]
                            [std::min(3, static_cast<int>(4.0 * place.u))];
   const RingSegment& segment = segments_[s];
@@ -205,6 +216,7 @@ void CornerBasis::evaluate(const CornerPoints& points, double u, double v, int o
 
 void CornerBasis::evaluate_deep(const CornerPoints& points, int level, double u, double v,
                                 int order, SurfaceJet& jet) const {
+  // The square that is kept is that after kPlainRings steps; level 1 takes none.
   EigenCoordinates at = eigen_coordinates(points);
   advance(at, level - 1 - kPlainRings);
   const int s =
@@ -231,6 +243,7 @@ void CornerBasis::evaluate_deep(const CornerPoints& points, int level, double u,
       jet.dvv = combine(bu, cubic_basis_d2(y));
     }
   }
+  // By the ring's scale and by the segment's own.
   scale_derivatives(jet, std::ldexp(1.0, level - 1) / segment.size, order);
 }
 

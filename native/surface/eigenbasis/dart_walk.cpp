@@ -28,8 +28,10 @@ DartWalk::DartWalk(const LimitSurface& surface, int h)
   const auto level1 = [&](int g) -> Vector3d {
     return refined_value<Vector3d>(t, scheme, g, level0);
   };
+  // Control points of the levels above the square that the corner's basis begins with.
   first_[0] = level0(h);
   first_[1] = level1(4 * h);
+  // Of the second level only the dart itself, by the rule on the cells' topology.
   first_[2] = vertex_point<Vector3d>(layout.cells(), 4 * h, level1);
   point_ = first_[0];
 }
@@ -40,6 +42,7 @@ void DartWalk::advance() {
     point_ = first_[level_];
     return;
   }
+  // Level depth_ + 1 is the ring's first square as it is.
   if (level_ > depth_ + 1) ring_->advance();
   take_ring();
 }

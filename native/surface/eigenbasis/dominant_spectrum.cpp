@@ -19,6 +19,8 @@ using Eigen::MatrixXd;
 constexpr double kSameEigenvalue = 1e-3;
 
 std::vector<std::complex<double>> sorted_eigenvalues(const MatrixXd& S) {
+  // Where eigenvalues are, roughly: one of a Jordan block may be off by 1e-8, which inverse
+  // iteration and the bases' own action then mend.
   const Eigen::EigenSolver<MatrixXd> solver(S, false);
   assert(solver.info() == Eigen::Success);
   std::vector<std::complex<double>> values(solver.eigenvalues().begin(),
@@ -55,6 +57,7 @@ struct Group {
 };
 
 bool belong_together(const std::complex<double>& a, const std::complex<double>& b) {
+  // A complex pair shares a real subspace of two dimensions, so it is never divided.
   return std::abs(a - b) < kSameEigenvalue || std::abs(a - std::conj(b)) < kSameEigenvalue;
 }
 
@@ -68,6 +71,7 @@ Group group_of(const std::vector<std::complex<double>>& values, int first,
   for (std::size_t i = 0; i < group.members.size(); ++i) {
     for (std::size_t j = 0; j < values.size(); ++j) {
       if (taken[j] || !belong_together(group.members[i], values[j])) continue;
+      // The loop goes on over the members that are added here.
       taken[j] = mine[j] = 1;
       group.members.push_back(values[j]);
     }
@@ -89,10 +93,12 @@ std::vector<Eigen::PartialPivLU<MatrixXd>> near_singular_factors(const MatrixXd&
   const double offset = (group.members.size() == 1 ? 1e-3 : 0.08) * group.gap;
   std::vector<Eigen::PartialPivLU<MatrixXd>> factors;
   for (const auto& member : group.members) {
+    // Its conjugate serves for both.
     if (member.imag() < 0.0) continue;
     MatrixXd factor = S;
     factor.diagonal().array() -= member.real() + offset;
     if (member.imag() > 0.0) {
+      // (S - λ)(S - conj λ) = (S - Re λ)² + (Im λ)², of real numbers only.
       factor = (factor * factor).eval();
       factor.diagonal().array() += member.imag() * member.imag();
     }
@@ -108,10 +114,12 @@ MatrixXd polished(const MatrixXd& S, const MatrixXd& Q) {
   using Eigen::MatrixXcd;
   const Eigen::Index n = S.rows(), m = Q.cols();
   const MatrixXd B = Q.transpose() * S * Q;
+  // The Sylvester equation column by column, after Bartels and Stewart (1972).
   const Eigen::ComplexSchur<MatrixXd> schur(B);
   const MatrixXcd& T = schur.matrixT();
   const MatrixXcd residual = (Q * B - S * Q) * schur.matrixU();
   MatrixXcd bordered = MatrixXcd::Zero(n + m, n + m);
+  // The border asks for Q^T X = 0, without which S - T(j, j) would be all but singular.
   bordered.topRightCorner(n, m) = Q;
   bordered.bottomLeftCorner(m, n) = Q.transpose();
   MatrixXcd X(n, m);
@@ -138,6 +146,7 @@ MatrixXd invariant_subspace(const MatrixXd& S, const Group& group) {
       basis(i, j) = std::sin(1.0 + 3.7 * static_cast<double>(i) + 1.3 * j * (2.0 + 0.11 * i));
     }
   }
+  // By the factors above, 1000 and five a step, more than doubles can tell.
   const int steps = size == 1 ? 6 : 24;
   for (int step = 0; step < steps; ++step) {
     for (const auto& factor : factors) {
@@ -166,6 +175,7 @@ DominantSpectrum dominant_spectrum(const MatrixXd& S, double floor) {
     for (const auto& member : group.members) sum += member;
     assert(begin + size <= m);  // the cut is in a gap, so groups are dominant as a whole
     result.right.middleCols(begin, size) = invariant_subspace(S, group);
+    // Eigenvalues of the transpose are the same, and so are the groups.
     result.left.middleCols(begin, size) = invariant_subspace(S.transpose(), group);
     result.blocks.push_back({sum.real() / size, begin, size, false, {}});
     begin += size;
@@ -174,6 +184,8 @@ DominantSpectrum dominant_spectrum(const MatrixXd& S, double floor) {
   assert(result.blocks.front().size == 1);
   result.blocks.front().eigenvalue = 1.0;
   result.right.col(0).setOnes();
+  // Left and right vectors of different groups are at right angles but for rounding, which this
+  // takes out too; within a group it makes the left basis the dual of the right one.
   const MatrixXd pairing = result.left.transpose() * result.right;
   result.left = result.left * pairing.inverse().transpose();
   for (DominantBlock& block : result.blocks) {
@@ -185,6 +197,8 @@ DominantSpectrum dominant_spectrum(const MatrixXd& S, double floor) {
     if (block.begin > 0) block.eigenvalue = block.action.trace() / block.size;
     const MatrixXd rest =
         block.action - block.eigenvalue * MatrixXd::Identity(block.size, block.size);
+    // A multiple eigenvalue with as many eigenvectors leaves rounding here, a Jordan block does
+    // not.
     block.coupled = rest.cwiseAbs().maxCoeff() > 1e-10;
   }
   return result;

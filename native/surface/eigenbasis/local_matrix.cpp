@@ -15,6 +15,9 @@ using Row = Eigen::RowVectorXd;
 // `faces` quadrilaterals around vertex 0, its ends 1 … and then the opposite corners.
 mesh::Topology fan_topology(const CornerKey& key) {
   const int n = key.faces;
+  // A sector between creases is a mesh of its own, with borders for the creases: the rules do not
+  // look across. The fan of a dart, or of a cone with one crease, is closed, with a crease edge in
+  // it.
   const bool open = key.kind == mesh::VertexKind::kCrease ||
                     (key.kind == mesh::VertexKind::kCorner && !key.closed);
   const int ends = open ? n + 1 : n;
@@ -81,6 +84,7 @@ void add_segment(const T& t, const Rows& rows, int h, double u, double v, double
 LocalMatrices local_matrices(const CornerKey& key) {
   // Two refinements put all other irregular points and borders out of reach.
   const mesh::Topology level0 = fan_topology(key).refined().refined();
+  // Half-edge 4 cell of the fan leaves the centre; refining makes 4 h of h.
   const int h0 = 16 * 4 * key.cell;
   const mesh::RefinedView<mesh::Topology> level1(level0);
   const mesh::RefinedView<mesh::RefinedView<mesh::Topology>> level2(level1);
@@ -94,6 +98,7 @@ LocalMatrices local_matrices(const CornerKey& key) {
   const std::vector<int> coarse = points_of(level0, h0);
   const int n = static_cast<int>(coarse.size());
   std::unordered_map<int, int> column;
+  // Level 0 is where the cell's points are unknowns, a unit row each.
   for (int i = 0; i < n; ++i) column.emplace(level0.origin(coarse[i]), i);
   assert(static_cast<int>(column.size()) == n);
   // A point outside the neighbourhood must have no influence: were it used, NaN would show it.
@@ -112,12 +117,14 @@ LocalMatrices local_matrices(const CornerKey& key) {
   for (int i = 0; i < n; ++i) result.A.row(i) = rows1(fine[i]);
   assert(result.A.allFinite());
 
+  // The three children away from the knot, in the order of Stam's segments (Greshake 4.13).
   for (const auto& [i, j] : {std::pair(1, 0), std::pair(1, 1), std::pair(0, 1)}) {
     const int child = child_half_edge(level0, h0, i, j);
     if (is_regular_cell(level1, key.scheme, child)) {
       add_segment(level1, rows1, child, 0.5 * i, 0.5 * j, 0.5, n, result.segments);
       continue;
     }
+    // Beside a modified edge: the quarters are spans (docs/surface.md, trap 2).
     for (int k = 0; k < 4; ++k) {
       const int p = k & 1, q = k >> 1;
       const int grandchild = child_half_edge(level1, child, p, q);

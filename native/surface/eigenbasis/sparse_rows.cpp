@@ -40,6 +40,8 @@ void SparseRows::add_back(const double* by_new, int columns, double* by_old) con
 }
 
 int SparseRows::add_entries(const std::vector<int>& index, const std::vector<double>& weight) {
+  // To the last bit, as the same point comes by the same sums from whichever segment asks for it.
+  // One by one: rows are some tens, and looked for once a basis.
   for (int row = 0; row < count(); ++row) {
     const int begin = begin_[row], end = begin_[row + 1];
     if (std::equal(index_.begin() + begin, index_.begin() + end, index.begin(), index.end()) &&

@@ -23,6 +23,7 @@ Mode plain_mode(Eigen::Index m, int column) {
 bool jordan_mode(Eigen::Index m, const DominantBlock& block, Mode& mode) {
   const Eigen::MatrixXd nilpotent =
       block.action - block.eigenvalue * Eigen::MatrixXd::Identity(block.size, block.size);
+  // Of a complex pair this part has full rank: it has no leading direction, and no plane.
   const mesh::SingularValues svd = mesh::singular_values(nilpotent);
   if (svd.values[1] > 1e-6 * svd.values[0]) return false;
   mode = {Eigen::VectorXd::Zero(m), Eigen::VectorXd::Zero(m)};
@@ -35,6 +36,7 @@ bool leading_modes(const DominantSpectrum& spectrum, Mode& a, Mode& b) {
   const auto& blocks = spectrum.blocks;
   const Eigen::Index m = spectrum.right.cols();
   if (blocks.size() < 2) return false;
+  // Two modes of one eigenvalue, as of interior points.
   if (blocks[1].size == 2 && !blocks[1].coupled) {
     a = plain_mode(m, blocks[1].begin);
     b = plain_mode(m, blocks[1].begin + 1);
@@ -60,6 +62,7 @@ double turning_sense(const Eigen::VectorXd& x, const Eigen::VectorXd& y) {
     const Eigen::Index p = 1 + i, q = 1 + (i + 1) % around;
     const double cross = x[p] * y[q] - x[q] * y[p];
     const double scale = std::hypot(x[p], y[p]) * std::hypot(x[q], y[q]);
+    // Two points in line with the corner, or one that falls on it.
     if (std::abs(cross) <= 1e-6 * scale || scale < 1e-12 * x.norm() * y.norm()) return 0.0;
     if (cross * sense < 0.0) return 0.0;
     sense = cross;

@@ -35,6 +35,7 @@ inline void sum_rows(const double* x, const double* w, double* sum) {
 }
 
 // Four numbers of a row or column of control points, `step` apart, to those of its halves.
+// De Casteljau's algorithm at 1/2.
 inline void halve(const double* x, int step, double* low, double* high) {
   const double a = x[0], b = x[step], c = x[2 * step], d = x[3 * step];
   const double ab = 0.5 * (a + b), bc = 0.5 * (b + c), cd = 0.5 * (c + d);
@@ -53,6 +54,7 @@ inline void to_bezier(double* x, int step) {
 }
 
 // Second differences of a grid of numbers.
+// As control points of the second derivatives: by 3 · 2 for pure ones, by 3 · 3 for the mixed one.
 inline double second_uu(const double* x, int i, int j) {
   const double* at = x + 4 * j + i;
   return 6.0 * (at[2] - 2.0 * at[1] + at[0]);
@@ -103,6 +105,7 @@ struct Bounds {
   double magnitude() const { return std::max(-low, high); }
 };
 
+// Bounds of a first derivative of a grid of numbers, by its control points.
 inline Bounds slopes(const double* x, int columns, int rows, int step) {
   Bounds bounds;
   for (int j = 0; j < rows; ++j) {
@@ -120,6 +123,7 @@ HULL_WIDE BezierPatch BezierPatch::from_bspline(const BicubicPoints& points) {
   for (int k = 0; k < 3; ++k) {
     double* x = patch.x[k];
     for (int i = 0; i < 16; ++i) x[i] = points[i][k];
+    // Columns, then rows: the rule for curves, as a tensor product.
     for (int i = 0; i < 4; ++i) to_bezier(x + i, 4);
     for (int j = 0; j < 4; ++j) to_bezier(x + 4 * j, 1);
   }
@@ -150,6 +154,7 @@ HULL_WIDE SurfaceJet evaluate(const BezierPatch& patch, double u, double v) {
   const Weights wu(u), wv(v);
   SurfaceJet jet;
   for (int k = 0; k < 3; ++k) {
+    // Along v first, which leaves cubics in u.
     double c[4], cv[4], cvv[4];
     sum_rows(patch.x[k], wv.value, c);
     sum_rows(patch.x[k], wv.first, cv);
@@ -185,6 +190,7 @@ HULL_WIDE PatchShape shape_of(const BezierPatch& patch) {
     double sum = 0.0;
     for (int i = 0; i < 16; ++i) sum += p[i];
     shape.centre[k] = sum / 16.0;
+    // The mean over the square: Bernstein's four polynomials have the integral 1/4 each.
     mean_u[k] = 0.25 * ((p[3] - p[0]) + (p[7] - p[4]) + (p[11] - p[8]) + (p[15] - p[12]));
     mean_v[k] = 0.25 * ((p[12] - p[0]) + (p[13] - p[1]) + (p[14] - p[2]) + (p[15] - p[3]));
   }
@@ -198,6 +204,8 @@ HULL_WIDE PatchShape shape_of(const BezierPatch& patch) {
                     largest_norm(3, 3, [&](int k, int i, int j) { return second_uv(x[k], i, j); });
   const double vv = per_v * per_v *
                     largest_norm(4, 2, [&](int k, int i, int j) { return second_vv(x[k], i, j); });
+  // The largest eigenvalue of [[uu, uv], [uv, vv]]: for a unit direction (a, b) the second
+  // derivative is no longer than uu a² + 2 uv |a b| + vv b².
   shape.bend = -least_eigenvalue(-uu, uv, -vv);
 
   // W maps the mean derivatives to the unit vectors of the plane. Along a straight line of (U, V)
@@ -205,24 +213,32 @@ HULL_WIDE PatchShape shape_of(const BezierPatch& patch) {
   // 1 / |W| of that at least.
   const Vector3d a = mean_u * per_u, b = mean_v * per_v;
   const double cosine = a.dot(b), sine2 = 1.0 - cosine * cosine;
+  // Parameter lines that are parallel in the mean have no W.
   if (!(sine2 > 1e-9)) return shape;
   alignas(32) double on_a[16], on_b[16];
+  // The rows of W: the basis dual to a and b.
   project(patch, (a - cosine * b) / sine2, on_a);
   project(patch, (b - cosine * a) / sine2, on_b);
   const double across =
       slopes(on_a, 4, 3, 4).magnitude() * per_v + slopes(on_b, 3, 4, 1).magnitude() * per_u;
+  // For any matrix M within the bounds |M x| is at least x · M x for a unit x, and that at least
+  // the least eigenvalue of its symmetric part; what is taken off outweighs rounding.
   const double least = least_eigenvalue(slopes(on_a, 3, 4, 1).low * per_u, 0.5 * across,
                                         slopes(on_b, 4, 3, 4).low * per_v) -
                        1e-9;
+  // 1 / |W| is the least singular value of (a b), the square root of 1 - |a · b|.
   if (least > 0.0) shape.stretch = (1.0 - std::abs(cosine)) * least * least;
   return shape;
 }
 
 HULL_WIDE bool is_least(const BezierPatch& patch, const PatchShape& shape, const Vector3d& r) {
   if (!(shape.stretch > 0.0)) return false;
+  // The cheap test first: r in the worst direction.
   if (r.norm() * shape.bend <= shape.stretch) return true;
   alignas(32) double along[16];
   project(patch, r, along);
+  // The second derivatives of r · S alone, with their sign: where the surface bends away from p
+  // they help, however far p is.
   Bounds uu, uv, vv;
   for (int j = 0; j < 4; ++j) {
     for (int i = 0; i < 2; ++i) uu.take(second_uu(along, i, j));
@@ -234,6 +250,7 @@ HULL_WIDE bool is_least(const BezierPatch& patch, const PatchShape& shape, const
     for (int i = 0; i < 4; ++i) vv.take(second_vv(along, i, j));
   }
   const double per_u = 1.0 / shape.su, per_v = 1.0 / shape.sv;
+  // In (U, V): stretch times the unit matrix less the Hessian of r · S has to be positive.
   return least_eigenvalue(shape.stretch - uu.high * per_u * per_u, uv.magnitude() * per_u * per_v,
                           shape.stretch - vv.high * per_v * per_v) >= 0.0;
 }

@@ -46,6 +46,7 @@ void PieceWeights::add_corner(int cell, int corner, double size, PointWeights& w
   of_corner_[corner] = piece_count();
   for (int ring = 0; ring < kPlainRings; ++ring) {
     for (const RingSegment& segment : basis.segments()) {
+      // Ring after ring, so that find() can count where a segment of a ring is.
       pieces_.push_back({cell, std::ldexp(segment.size, -ring) * size, square.points,
                          segment.rows * square.rows});
     }
@@ -66,6 +67,8 @@ std::optional<PieceWeights::Place> PieceWeights::find(int cell, double u, double
     if (seen.maxCoeff() < 0.5) continue;
     for (int s = 0; s < basis.segment_count(); ++s) {
       const RingSegment& segment = basis.segments()[s];
+      // Segments have dyadic places and sizes, so this is exact, and nothing falls between two of
+      // them.
       const double a = (seen.x() - segment.u) / segment.size;
       const double b = (seen.y() - segment.v) / segment.size;
       if (a < 0.0 || a > 1.0 || b < 0.0 || b > 1.0) continue;

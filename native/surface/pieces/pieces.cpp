@@ -13,6 +13,7 @@ double CornerSquare::extent() const {
 
 namespace pieces_internal {
 
+// The reverse of turned() in place_in_cell.h, of the square's corner that is lower left afterwards.
 DomainSquare turned_square(int turn, const DomainSquare& s) {
   switch (turn) {
     case 0:
@@ -31,6 +32,7 @@ BicubicPoints turned_points(int turn, const BicubicPoints& seen) {
   BicubicPoints points;
   for (int b = 0; b < 4; ++b) {
     for (int a = 0; a < 4; ++a) {
+      // Point (a, b) of the square's own grid is (i, j) of the one as seen: turned() on the grid.
       const int i = turn == 1 ? b : turn == 2 ? 3 - a : 3 - b;
       const int j = turn == 1 ? 3 - a : turn == 2 ? 3 - b : a;
       points[4 * b + a] = seen[4 * j + i];

@@ -20,6 +20,8 @@ constexpr double kNoWeight = 1e-16;
 // for any places of these; it is linear, and is asked with three of them at unit places at a time.
 template <class Evaluate>
 std::vector<double> probe(std::size_t count, const Evaluate& evaluate) {
+  // Three at a time, as a position has three coordinates: coordinate k of the answer is the weight
+  // of the point that is at unit k.
   std::vector<double> weights(count);
   std::vector<Vector3d> places(count, Vector3d::Zero());
   for (std::size_t first = 0; first < count; first += 3) {
@@ -55,11 +57,14 @@ const WeightRow& PointWeights::refined(int point) {
     row = refined_value<WeightRow>(level2, layout.scheme(), layout.third_half_edges()[in_third],
                                    [&](int h) { return second(h); });
   }
+  // Looked up anew, as the rules may have added other rows; references to rows stay good, as maps
+  // of nodes do not move them.
   return refined_.emplace(point, std::move(row)).first->second;
 }
 
 const WeightRow& PointWeights::second(int half_edge) {
   const mesh::Topology& cells = surface_.layout().cells();
+  // Numbered as in the whole second subdivision: the layout knows only those that nodes take.
   const int point = mesh::RefinedView<mesh::Topology>(cells).origin(half_edge);
   const auto known = second_.find(point);
   if (known != second_.end()) return known->second;
@@ -73,6 +78,7 @@ WeightRow PointWeights::leaf_row(int leaf, double u, double v) {
   const std::vector<double> weights = probe(points.size(), [&](const std::vector<Vector3d>& at) {
     BicubicPoints span;
     std::copy(at.begin(), at.end(), span.begin());
+    // Ghost points follow the real ones, whose weights so count for both.
     fill_ghosts(span, points);
     return evaluate_bicubic(span, u, v, 0).point;
   });

@@ -13,6 +13,8 @@ SquareForms::SquareForms(const LimitSurface& surface) : squares_(surface) {
 void SquareForms::find_groups() {
   const WeightRows& weights = squares_.weights();
   const int *begin = weights.outerIndexPtr(), *column = weights.innerIndexPtr();
+  // By control point: its place within the group at hand, cleared after each group rather than as a
+  // whole, which would take a time of all points for each cell.
   std::vector<int> place(weights.cols(), -1);
   for (int square = 0; square < squares_.count();) {
     const int first = square, first_point = static_cast<int>(group_points_.size());
@@ -25,6 +27,7 @@ void SquareForms::find_groups() {
         }
       }
     }
+    // Rising, as rows of a column of the sum are: add_group() leans on it.
     std::sort(group_points_.begin() + first_point, group_points_.end());
     const int count = static_cast<int>(group_points_.size()) - first_point;
     for (int i = 0; i < count; ++i) place[group_points_[first_point + i]] = i;
@@ -47,6 +50,8 @@ void SquareForms::find_pattern() {
       groups_of[group_points_[groups_[g].first_point + i]].push_back(static_cast<int>(g));
     }
   }
+  // Column by column all points of all groups that hold the column's own; seen_by keeps each from
+  // being taken twice without clearing.
   std::vector<int> begins{0}, rows, seen_by(size, -1);
   for (Eigen::Index column = 0; column < size; ++column) {
     for (int g : groups_of[column]) {
@@ -61,6 +66,7 @@ void SquareForms::find_pattern() {
     begins.push_back(static_cast<int>(rows.size()));
   }
   const std::vector<double> zeros(rows.size(), 0.0);
+  // Explicit zeros: groups are added into places that are there.
   pattern_ = Eigen::Map<const Matrix>(size, size, static_cast<Eigen::Index>(rows.size()),
                                       begins.data(), rows.data(), zeros.data());
 }
@@ -103,6 +109,8 @@ SquareForms::Matrix SquareForms::sum(const Add& add) const {
   Matrix sum = pattern_;
   Eigen::MatrixXd of_square, of_group;
   for (const Group& group : groups_) {
+    // Cell by cell: its squares share most of their control points, so the sparse sum is entered
+    // but once for all of them.
     of_group.setZero(group.point_count, group.point_count);
     for (int k = 0; k < group.square_count; ++k) {
       const int square = group.first_square + k;

@@ -22,6 +22,7 @@ SquareWeights dense_rows(const std::vector<const WeightRow*>& rows) {
   for (std::size_t i = 0; i < rows.size(); ++i) {
     auto column = dense.points.begin();
     for (const PointWeight& w : rows[i]->entries()) {
+      // Entries rise as the columns do, so the search goes on where it was.
       column = std::lower_bound(column, dense.points.end(), w.point);
       dense.rows(static_cast<Eigen::Index>(i), column - dense.points.begin()) = w.weight;
     }
@@ -36,6 +37,7 @@ SquareWeights leaf_weights(const SurfaceLayout& layout, int leaf, PointWeights& 
   const std::array<int, 16>& points = layout.leaf_points(leaf);
   std::vector<const WeightRow*> rows;
   for (int point : points) {
+    // References to rows stay good while others are added.
     rows.push_back(point == kNoPoint ? &kNone : &weights.refined(point));
   }
   SquareWeights square = dense_rows(rows);

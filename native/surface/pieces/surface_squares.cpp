@@ -11,6 +11,7 @@ namespace {
 
 // Weights of the points that there are in the 16 of a leaf.
 Eigen::MatrixXd leaf_spread(const std::array<int, 16>& points) {
+  // The ghost rule is run on rows of the unit matrix, one column for each point that is there.
   const auto count = 16 - std::ranges::count(points, kNoPoint);
   std::array<Eigen::RowVectorXd, 16> rows;
   Eigen::Index next = 0;
@@ -42,6 +43,7 @@ WeightRows refined_weights(const LimitSurface& surface) {
   PointWeights weights(surface);
   std::vector<int> begins{0}, columns;
   std::vector<double> values;
+  // Points come in order, so the compressed form is written as it is.
   for (std::size_t point = 0; point < refined; ++point) {
     if (is_used[point]) {
       for (const PointWeight& w : weights.refined(static_cast<int>(point)).entries()) {
@@ -94,6 +96,7 @@ class SurfaceSquares::Builder {
   }
 
   int corner_kind(const CornerBasis& basis) {
+    // A layout has one basis for all corners of a kind, so its address tells.
     const auto [known, is_new] = corner_kinds_.try_emplace(&basis, kind_count());
     if (is_new) squares_.kinds_.push_back({&basis, {}, {}});
     return known->second;

@@ -33,6 +33,7 @@ inline void box_distances(const SurfaceTree::Node& node, const Vector3d& p, doub
   for (int a = 0; a < 3; ++a) {
     for (int k = 0; k < 4; ++k) {
       const double below = node.low[a][k] - p[a], above = p[a] - node.high[a][k];
+      // Without branches, so that the four boxes go side by side.
       const double outside = below > above ? below : above;
       const double d = outside > 0.0 ? outside : 0.0;
       squares[k] += d * d;
@@ -81,6 +82,8 @@ HULL_WIDE double lower_bound(const BezierPatch& patch, const PatchShape& shape, 
   const double distance = from.norm();
   const double box = box_bound(patch, p);
   if (!(distance > 0.0)) return box;
+  // A plane across the way to the middle is the sharper one where the patch lies slanting in its
+  // box.
   return std::max(box, plane_bound(patch, p, from / distance));
 }
 
@@ -107,12 +110,15 @@ Minimum minimise(const BezierPatch& patch, const Vector3d& p, double u, double v
     const double e = s.du.squaredNorm(), f = s.du.dot(s.dv), g = s.dv.squaredNorm();
     const bool hold_u = (at.u <= 0.0 && gu >= 0.0) || (at.u >= 1.0 && gu <= 0.0);
     const bool hold_v = (at.v <= 0.0 && gv >= 0.0) || (at.v >= 1.0 && gv <= 0.0);
+    // A foot is found where what is left along the surface is rounding: of r · S_u / |S_u|, which
+    // is a length.
     const double residual = noise + 4e-16 * at.distance;
     if ((hold_u || std::abs(gu) <= residual * std::sqrt(e)) &&
         (hold_v || std::abs(gv) <= residual * std::sqrt(g))) {
       at.settled = true;
       return at;
     }
+    // The Hessian of half of the squared distance.
     double huu = e + r.dot(s.duu), huv = f + r.dot(s.duv), hvv = g + r.dot(s.dvv);
     double du = 0.0, dv = 0.0;
     if (hold_u || hold_v) {
@@ -141,6 +147,7 @@ Minimum minimise(const BezierPatch& patch, const Vector3d& p, double u, double v
       const Vector3d r_there = there.point - p;
       const double distance = r_there.norm();
       if (distance <= at.distance + residual) {
+        // Of the step, m.
         const double length =
             std::abs(to_u - at.u) * std::sqrt(e) + std::abs(to_v - at.v) * std::sqrt(g);
         at = {to_u, to_v, there, distance, false};
@@ -151,6 +158,7 @@ Minimum minimise(const BezierPatch& patch, const Vector3d& p, double u, double v
         }
         break;
       }
+      // No way down that rounding can tell.
       if (halving == 20) return at;
       du *= 0.5;
       dv *= 0.5;
@@ -166,6 +174,7 @@ Eigen::Vector2d first_guess(const BezierPatch& patch, const Vector3d& p) {
   const Vector3d r = p - jet.point;
   const double e = jet.du.squaredNorm(), f = jet.du.dot(jet.dv), g = jet.dv.squaredNorm();
   const double determinant = e * g - f * f;
+  // Parallel parameter lines, as where a side has shrunk to a point.
   if (!(determinant > 1e-6 * e * g)) return {0.5, 0.5};
   const double a = r.dot(jet.du), b = r.dot(jet.dv);
   return {std::clamp(0.5 + (a * g - b * f) / determinant, 0.0, 1.0),
@@ -207,6 +216,8 @@ class Search {
 
   HULL_WIDE void descend() {
     // Each node leaves at most three behind on the way down.
+    // The median halves items twice a node, so the tree is as deep as its items have digits to the
+    // base four.
     std::array<Waiting, 256> stack;
     int height = 0;
     stack[height++] = {0.0, 0};
@@ -225,6 +236,7 @@ class Search {
       int count = 0;
       for (int k = 0; k < 4; ++k) {
         if (node.child[k] == SurfaceTree::kNoChild) continue;
+        // Insertion from the far end: four entries, sorted with the least on top of the stack.
         int i = count++;
         for (; i > 0 && first[i - 1].square <= squares[k]; --i) first[i] = first[i - 1];
         first[i] = {squares[k], node.child[k]};
@@ -275,6 +287,7 @@ class Search {
   // A patch that was not settled: by its halves, the nearer one first.
   void split(const BezierPatch& patch, const PatchShape& shape, const PiecePlace& place,
              const Part& part) {
+    // Across the longer side.
     const int axis = shape.su >= shape.sv ? 0 : 1;
     // What cannot be halved any more is a point.
     if ((axis == 0 ? part.du : part.dv) < 0x1p-50) return;
@@ -283,6 +296,7 @@ class Search {
     const PatchShape shapes[2] = {shape_of(halves[0]), shape_of(halves[1])};
     const int nearer =
         (shapes[1].centre - p_).squaredNorm() < (shapes[0].centre - p_).squaredNorm();
+    // A half that is cut itself is done with before the other one, which its foot may leave out.
     for (int i : {nearer, 1 - nearer}) {
       count_part();
       const Part half = part.half(axis, i);
@@ -292,6 +306,7 @@ class Search {
 
   void visit_deep_corner(int index) {
     DeepRings rings(tree_, index);
+    // The knot first: no piece holds it.
     offer_knot(rings);
     while (!rings.is_down_to_knot()) {
       count_part();
@@ -309,11 +324,13 @@ class Search {
     if (is_out(box.exteriorDistance(p_))) return true;
     if (!has_direction_) return false;
     double least = kInfinity;
+    // The plane behind the best foot, as in is_beyond().
     for (const Vector3d& q : square) least = std::min(least, direction_.dot(p_ - q));
     return least >= limit();
   }
 
   bool take(double distance, const Vector3d& point, const Eigen::Vector2d& uv, int cell) {
+    // A foot right at the search radius counts, and the first of equal ones.
     if (!(distance <= reach_) || (best_.cell >= 0 && distance == reach_)) return false;
     reach_ = distance;
     best_.cell = cell;
@@ -351,6 +368,8 @@ class Search {
     const int h = 4 * best_.cell;
     const bool on_side[4] = {best_.v == 0.0, best_.u == 1.0, best_.v == 1.0, best_.u == 0.0};
     for (int k = 0; k < 4; ++k) {
+      // Exactly on the side: coordinates at a bound are kept there by minimise(), and places are
+      // dyadic.
       if (on_side[k] && cells.is_crease(h + k)) best_.kind = FootKind::kCrease;
       const mesh::VertexKind vertex = cells.kind_at(h + k);
       if (on_side[k] && on_side[(k + 3) % 4] &&
@@ -408,6 +427,7 @@ std::vector<ClosestPoint> closest_points(const SurfaceTree& tree,
   }
   std::vector<ClosestPoint> result;
   result.reserve(points.size());
+  // Points to an entry of the result, which was reserved and so does not move.
   const ClosestPoint* known = nullptr;
   for (const Vector3d& p : points) {
     double radius = max_distance;

@@ -10,7 +10,10 @@
 namespace hull::surface {
 namespace {
 
+// Parts of a piece that are looked at before the extent of what touches is doubled, and from then
+// on between doublings.
 constexpr int kFreeCrossings = 4000, kCrossingsPerDoubling = 500;
+// Derivatives near the unit matrix need a few; what has not settled then is cut.
 constexpr int kNewtonSteps = 12;
 
 struct Range {
@@ -74,13 +77,16 @@ template <class Visit>
 void roots(const double* h, double from, double to, double tolerance, const Visit& visit) {
   const auto [low, high] = std::minmax({h[0], h[1], h[2], h[3]});
   if (low > tolerance || high < -tolerance) return;
+  // Monotone control points make a monotone cubic.
   const bool rises = h[1] >= h[0] && h[2] >= h[1] && h[3] >= h[2];
   const bool falls = h[1] <= h[0] && h[2] <= h[1] && h[3] <= h[2];
   const double width = to - from;
   if (rises || falls || width < 0x1p-40) {
+    // The same place may be told by both parts beside it: only the first and the last one count.
     if (std::abs(h[0]) <= tolerance) visit(from);
     if (std::abs(h[3]) <= tolerance) visit(to);
     if ((h[0] < 0.0) == (h[3] < 0.0)) return;
+    // Bisection: it needs no derivative, which may vanish at a root.
     double a = 0.0, b = 1.0;
     for (int i = 0; i < 60; ++i) {
       const double middle = 0.5 * (a + b);
@@ -119,6 +125,7 @@ void PatchCrossings::find(const BezierPatch& patch, const Part& part) {
   if (is_passed(patch)) return;
   if (try_single(patch, part) != Outcome::kUnknown) return;
   if (try_stretch(patch, part)) return;
+  // Below this a touching axis could only be followed by cutting without end.
   if (extent(patch) <= touching_ || std::max(part.du, part.dv) < 0x1p-45) {
     try_touching(patch, part);
     return;
@@ -150,9 +157,11 @@ HULL_WIDE PatchCrossings::Outcome PatchCrossings::try_single(const BezierPatch& 
   for (int k = 0; k < 2; ++k) {
     for (int i = 0; i < 16; ++i) f[k][i] = w[k][0] * x[i] + w[k][1] * y[i];
     const Range r = range(f[k]);
+    // How far a length of the tolerance can move a component of W g.
     const double allowed = tolerance_ * std::hypot(w[k][0], w[k][1]);
     if (r.low > allowed || r.high < -allowed) return Outcome::kNone;
   }
+  // The matrix [[a, ±b], [±c, d]]: positive diagonal, and a d > b c for whatever signs.
   const double a = slopes_u(f[0]).low, d = slopes_v(f[1]).low;
   const double b = magnitude(slopes_v(f[0])), c = magnitude(slopes_u(f[1]));
   if (!(a > 0.0 && d > 0.0 && a * d > 1.0001 * b * c)) return Outcome::kUnknown;
@@ -163,6 +172,8 @@ HULL_WIDE PatchCrossings::Outcome PatchCrossings::try_single(const BezierPatch& 
     evaluate_first(patch, u, v, jet);
     const double fu = w[0][0] * jet.point[0] + w[0][1] * jet.point[1];
     const double fv = w[1][0] * jet.point[0] + w[1][1] * jet.point[1];
+    // The component whose step would lead outwards is held; the other one takes its own Newton
+    // step.
     const bool hold_u = (u <= 0.0 && fu >= 0.0) || (u >= 1.0 && fu <= 0.0);
     const bool hold_v = (v <= 0.0 && fv >= 0.0) || (v >= 1.0 && fv <= 0.0);
     const double j11 = w[0][0] * jet.du[0] + w[0][1] * jet.du[1];
@@ -214,6 +225,7 @@ bool PatchCrossings::try_stretch(const BezierPatch& patch, const Part& part) {
     if (square > largest) largest = square, farthest = i;
   }
   largest = std::sqrt(largest);
+  // The plane through the axis and the point farthest from it is the only one that can hold all.
   const double cosine = largest > 0.0 ? patch.x[0][farthest] / largest : 1.0;
   const double sine = largest > 0.0 ? patch.x[1][farthest] / largest : 0.0;
   for (int i = 0; i < 16; ++i) {
@@ -277,6 +289,7 @@ void PatchCrossings::try_touching(const BezierPatch& patch, const Part& part) {
       return;
     }
     const Eigen::Vector2d g = jet.point.head<2>(), gu = jet.du.head<2>(), gv = jet.dv.head<2>();
+    // Where the axis touches, the derivative of g is singular.
     const double damping = 1e-10 * (gu.squaredNorm() + gv.squaredNorm());
     const double e = gu.squaredNorm() + damping, f = gu.dot(gv), h = gv.squaredNorm() + damping;
     const double determinant = e * h - f * f, a = g.dot(gu), b = g.dot(gv);

@@ -66,6 +66,7 @@ class Caster {
       to[k] = z_max_ + tolerance_;
     }
     for (int a = 0; a < 3; ++a) {
+      // Slabs (Kay and Kajiya 1986); the signs of the inverse need no branch.
       const double low_at = origin_[a] + tolerance_, high_at = origin_[a] - tolerance_;
       for (int k = 0; k < 4; ++k) {
         const double x = (node.low[a][k] - low_at) * inverse_[a];
@@ -174,6 +175,7 @@ class Caster {
     if (raw.hit.t < z_min_ || raw.hit.t > z_max_) return;
     hits_.push_back(raw);
     // Whatever lies farther is not wanted, but for what may have to be joined with this one.
+    // A touching hit may give way to another one, so it shortens nothing.
     if (first_only_ && std::isfinite(raw.t_error)) {
       z_max_ = std::min(z_max_, raw.hit.t + 4.0 * raw.t_error);
     }

@@ -21,6 +21,7 @@ int* halve(int* begin, int* end, const std::vector<Eigen::AlignedBox3d>& boxes) 
   int* middle = begin + (end - begin) / 2;
   std::nth_element(begin, middle, end, [&](int a, int b) {
     const double x = boxes[a].center()[axis], y = boxes[b].center()[axis];
+    // By number among equal ones: the same tree everywhere.
     return x < y || (x == y && a < b);
   });
   return middle;
@@ -72,6 +73,7 @@ SurfaceTree::SurfaceTree(const LimitSurface& surface, const std::vector<int>& ce
   shapes_ = std::move(shapes);
   for (Node& node : nodes_) {
     for (std::int32_t& child : node.child) {
+      // Deep corners keep their numbers, as they follow all pieces.
       if (child < kNoChild) child = -2 - now[item(child)];
     }
   }
@@ -79,6 +81,7 @@ SurfaceTree::SurfaceTree(const LimitSurface& surface, const std::vector<int>& ce
 }
 
 void SurfaceTree::refit(const LimitSurface& surface) {
+  // One layout is one topology with its tags and scheme, and so the same pieces.
   if (surface.shared_layout() != layout_) {
     throw std::invalid_argument(
         "the tree was made of another surface; refit it to that one after moving its points, or "
@@ -100,11 +103,13 @@ void SurfaceTree::collect(int cell, const SurfaceNode& node, const DomainSquare&
           const RingSegment& segment = basis.segments()[s];
           const DomainSquare seen{std::ldexp(segment.u, -ring), std::ldexp(segment.v, -ring),
                                   std::ldexp(segment.size, -ring)};
+          // Numbered as CornerPoints::segments has them, ring after ring.
           sources_.push_back(
               {{cell, node.turn, square, seen}, node.index, ring * basis.segment_count() + s});
         }
       }
       CornerPoints points;
+      // Their points are taken with those of the pieces, now and at each refit().
       points.limit.setZero();
       deep_corners_.push_back({{cell, node.turn, square, {0.0, 0.0, 1.0}}, node.index, points});
       break;
@@ -149,6 +154,7 @@ std::int32_t SurfaceTree::build(int* begin, int* end,
   const std::int32_t index = static_cast<std::int32_t>(nodes_.size());
   nodes_.emplace_back();
   int* middle = halve(begin, end, boxes);
+  // Two halvings give four children; a node of three items or fewer leaves some without any.
   int* cuts[] = {begin, begin == middle ? begin : halve(begin, middle, boxes), middle,
                  halve(middle, end, boxes), end};
   for (int k = 0; k < 4; ++k) {

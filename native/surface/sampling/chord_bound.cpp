@@ -34,6 +34,7 @@ Basis blossom_weights(double x, double y, double z) {
   return weights;
 }
 
+// Bezier points over [a, b] are values of the blossom (Ramshaw 1989).
 std::array<Basis, 4> bezier_weights(double a, double b) {
   return {blossom_weights(a, a, a), blossom_weights(a, a, b), blossom_weights(a, b, b),
           blossom_weights(b, b, b)};
@@ -41,6 +42,7 @@ std::array<Basis, 4> bezier_weights(double a, double b) {
 
 // Largest and mean vectors of a derivative's control points.
 struct Net {
+  // First derivatives have the most, 3 x 4.
   std::array<Vector3d, 12> at;
   int count = 0;
 
@@ -73,6 +75,7 @@ struct Direction {
   }
   // Bound on the part of v across any chord in this direction.
   double across(const Vector3d& v) const {
+    // Turning the direction by asin(turning) takes that share of the part along it across at most.
     const double along = v.dot(mean) / length;
     return std::sqrt(std::max(0.0, v.squaredNorm() - along * along)) + std::abs(along) * turning;
   }
@@ -107,6 +110,7 @@ BicubicPoints bezier_points(const BicubicPoints& span, double u0, double u1, dou
 }
 
 double smooth_bound(const BicubicPoints& bezier, int nu, int nv) {
+  // Derivatives are taken by the parameters of a part, so that its sides have the length 1.
   const double h = 1.0 / nu, k = 1.0 / nv;
   Net u, v, uu, vv, uv;
   for (int j = 0; j < 4; ++j) {
@@ -119,6 +123,7 @@ double smooth_bound(const BicubicPoints& bezier, int nu, int nv) {
       if (i < 3 && j < 3) uv.add(9.0 * h * k * (p[5] - p[4] - p[1] + p[0]));
     }
   }
+  // Nothing slides: this holds whatever the directions.
   const double all = (uu.longest() + vv.longest()) / 8.0 + uv.longest() / 4.0;
   const Direction a(u), b(v);
   if (!(a.turning < kMostTurning && b.turning < kMostTurning)) return all;
@@ -127,6 +132,7 @@ double smooth_bound(const BicubicPoints& bezier, int nu, int nv) {
   // How far a normal can turn within the patch.
   const double turning =
       a.length * b.length * (a.turning + b.turning + a.turning * b.turning) / area;
+  // Not a number where u and v run the same way in the mean.
   if (!(turning < kMostTurning)) return all;
   const double sag = uu.largest([&](const Vector3d& d) { return a.across(d); }) +
                      vv.largest([&](const Vector3d& d) { return b.across(d); });
@@ -138,6 +144,7 @@ double smooth_bound(const BicubicPoints& bezier, int nu, int nv) {
 }
 
 QuadGauge::QuadGauge(const std::array<Vector3d, 4>& corners) : corners_(corners) {
+  // A plane along both diagonals and halfway between them, from which all corners are equally far.
   const Vector3d d1 = corners[2] - corners[0], d2 = corners[3] - corners[1];
   normal_ = d1.cross(d2);
   const double length = normal_.norm();
@@ -160,8 +167,11 @@ QuadGauge::QuadGauge(const std::array<Vector3d, 4>& corners) : corners_(corners)
     dented = i;
     dent_ = distance_to_segment(q[i], before, after);
   }
+  // An outline that crosses itself.
   if (dents > 1) return;
   for (int i = 0; i < 4; ++i) {
+    // Without the dented corner it is convex, and so is the distance from it. It is too large then
+    // by the dent, which bound() adds.
     if (dents == 0 || i != dented) outline_.push_back(q[i]);
   }
   flat_enough_ = true;

@@ -39,6 +39,7 @@ class CellCheck {
     nv_ = nv;
     const SurfaceNode& root = surface_.layout().root(cell);
     if (root.kind == SurfaceNode::Kind::kLeaf) {
+      // A regular cell is one piece, and holds all its quadrilaterals.
       return check_piece({0, nu, 0, nv}, {cell, 0.0, 0.0, 1.0, surface_.leaf(root.index)});
     }
     return check_pieces();
@@ -51,6 +52,7 @@ class CellCheck {
     std::optional<Excess> worst;
     const double finest = 1.0 / std::max(nu_, nv_);
     for_each_piece(
+        // Smaller pieces hold no whole quadrilateral.
         surface_, cell_, [&](const CornerSquare& square) { return !worst && square.size > finest; },
         [&](const SurfacePiece& piece) {
           const QuadBlock block = block_within(piece);
@@ -100,6 +102,7 @@ class CellCheck {
     }
     double bounds[] = {block_bound(halves[0], piece), block_bound(halves[1], piece)};
     const int worse = bounds[1] > bounds[0];
+    // One that fails is all that is asked for, so the likelier half saves the other.
     if (auto excess = check_block(halves[worse], piece, bounds[worse])) return excess;
     return check_block(halves[1 - worse], piece, bounds[1 - worse]);
   }
@@ -139,6 +142,7 @@ class CellCheck {
           }
         });
     if (bound <= tolerance_) return std::nullopt;
+    // How far the middle of a side is off its chord.
     const auto sag = [&](double u, double v, int a, int b) {
       const Vector3d chord = corners[b] - corners[a];
       const Vector3d d = surface_.position(cell_, u, v) - corners[a];
@@ -148,6 +152,7 @@ class CellCheck {
     const double um = 0.5 * (u0 + u1), vm = 0.5 * (v0 + v1);
     const double along_u = std::max(sag(um, v0, 0, 1), sag(um, v1, 3, 2));
     const double along_v = std::max(sag(u0, vm, 0, 3), sag(u1, vm, 1, 2));
+    // A side that sags less than half as much as the other is left as it is.
     return Excess{bound / tolerance_, 2.0 * along_u >= along_v, 2.0 * along_v >= along_u};
   }
 
@@ -161,6 +166,7 @@ class CellCheck {
 
 // The parts to try after n, given how much too large the bound is: it falls as 1/n² or slower.
 int grown(int n, double ratio) {
+  // What is more than allowed tells that nothing does.
   if (n == kMostDivisions) return n + 1;
   const int more = static_cast<int>(n * std::min(2.0, std::sqrt(ratio)));
   return std::clamp(more, n + 1, kMostDivisions);
@@ -179,6 +185,7 @@ CellDivisions::CellDivisions(const mesh::Topology& cells, int n) : cells_(&cells
   std::vector<int> parent(cells.edge_count());
   std::iota(parent.begin(), parent.end(), 0);
   const auto root = [&parent](int e) {
+    // Union-find with paths halved.
     while (parent[e] != e) e = parent[e] = parent[parent[e]];
     return e;
   };
@@ -210,6 +217,8 @@ std::optional<CellDivisions> chord_divisions(const LimitSurface& surface, double
   std::vector<char> changed(divisions.strip_count(), 1);
   for (bool any = true; any;) {
     any = false;
+    // Strips grow after all cells were looked at, so that the order of cells has no part in it; a
+    // cell whose strips stayed has passed before.
     std::vector<int> wanted(divisions.strip_count(), 0);
     for (int cell = 0; cell < surface.cell_count(); ++cell) {
       const int strip_u = divisions.strip(4 * cell), strip_v = divisions.strip(4 * cell + 1);
@@ -239,6 +248,7 @@ CellDivisions chord_divisions_for(const LimitSurface& surface, double chord_tole
     throw std::invalid_argument(message.str());
   }
   if (auto divisions = chord_divisions(surface, chord_tolerance)) return *divisions;
+  // Twice as much each time, until that does; one strip that fails ends each trial early.
   double enough = std::max(chord_tolerance, 1e-10 * surface.mesh().size());
   do {
     enough = rounded_up(2.0 * enough);

@@ -20,6 +20,8 @@ namespace {
 struct SampleRange {
   int first, last;
 
+  // Products are exact, as sides of pieces are dyadic and n is small: a sample on the side between
+  // two pieces is written by both, the later one in their order.
   SampleRange(int n, double begin, double size)
       : first(static_cast<int>(std::ceil(begin * n))),
         last(static_cast<int>(std::floor((begin + size) * n))) {}
@@ -38,6 +40,7 @@ struct Line {
       : t(start), step(interval), size(length), count(samples) {
     constexpr Basis (*kBases[])(double) = {cubic_basis, cubic_basis_d1, cubic_basis_d2};
     double factor = 1.0;
+    // The chain rule, once for all samples.
     for (int d = 0; d <= order; ++d, factor /= size) {
       spread[d].resize(12 * static_cast<std::size_t>(count));
       for (int j = 0; j < count; ++j) {
@@ -71,6 +74,7 @@ inline void fill_row(const double* __restrict__ w, const Repeated& row, int n,
                      double* __restrict__ out) {
   const double* __restrict__ r = row[0].data();
   int begin = 0;
+  // Twelve numbers are four samples and whole vectors.
   for (; begin + 12 <= n; begin += 12) {
     for (int k = 0; k < 12; ++k) {
       const double* at = w + begin + k;
@@ -153,6 +157,7 @@ class GridEvaluator {
     const double t = (static_cast<double>(range.first) / n - begin) / size, step = 1.0 / (n * size);
     const int count = range.last - range.first + 1;
     for (const Line& known : lines_) {
+      // To the last bit: where rounding differs there is one line more, no worse.
       if (known.count == count && known.t == t && known.step == step && known.size == size) {
         return known;
       }
@@ -173,6 +178,7 @@ class GridEvaluator {
 
   // The irregular knot is a corner of the cell, and of the square that is left.
   void sample_knot(const CornerSquare& square) {
+    // A square that does not begin at 0 ends at 1.
     const std::size_t knot = target(square.u > 0.0 ? nu_ : 0, square.v > 0.0 ? nv_ : 0).first;
     samples_.points[knot] = square.ring.limit();
     for (auto* derivative :
@@ -218,6 +224,7 @@ void evaluate_cells(const LimitSurface& surface, const std::vector<int>& cells, 
   samples.n = n;
   make_room(samples, samples.index(static_cast<int>(cells.size()), 0, 0), order);
   const auto work = [&](std::size_t begin, std::size_t end) {
+    // One for each range, whose lines are its own: threads share nothing that they write.
     GridEvaluator evaluator(surface, n, n, order, samples);
     for (int k = static_cast<int>(begin); k < static_cast<int>(end); ++k) {
       evaluator.sample(cells[k], samples.index(k, 0, 0));

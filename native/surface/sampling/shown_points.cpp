@@ -40,6 +40,8 @@ ShownPoints::ShownPoints(const LimitSurface& surface, int n, bool mirrored, doub
   follow_size();
   coordinates_.reserve(6 * count);  // what reads them may do so while images are numbered anew
   coordinates_.resize(3 * count);
+  // Shared at first: the first point off the plane marks the images as stale, so that none is
+  // written before number_images() has made room for it.
   shared_.assign(count, 1);
   images_.assign(count, -1);
   for (std::size_t point = 0; point < count; ++point) {
@@ -54,6 +56,7 @@ bool ShownPoints::update() {
   const bool are_all_due = follow_size();
   std::vector<int> cells;
   for (int cell = 0; cell < surface.cell_count(); ++cell) {
+    // Whatever moved since the last update, in however many calls of set_points().
     if (are_all_due || surface.moved_at(cell) > stamp_.revision()) cells.push_back(cell);
     if (cells.size() < kCellsAtATime) continue;
     take_cells(cells);
@@ -72,6 +75,8 @@ bool ShownPoints::follow_size() {
   centre_plane_ = kOnCentrePlane * stamp_.surface().mesh().size();
   if (!mirrored_) return false;
   if (farthest_shared_ <= centre_plane_ && nearest_other_ > centre_plane_) return false;
+  // Begun anew, as all points are about to be taken; otherwise they only widen, which at worst
+  // computes all in vain.
   farthest_shared_ = 0.0;
   nearest_other_ = std::numeric_limits<double>::infinity();
   return true;
@@ -97,6 +102,7 @@ void ShownPoints::take_point(int point, const Vector3d& position) {
     nearest_other_ = std::min(nearest_other_, away);
   }
   const auto x = static_cast<float>(position.x() / metres_per_unit_);
+  // On the plane exactly where both sides share the point, whatever rounding left.
   const auto y = mirrored_ && shared ? 0.0f : static_cast<float>(position.y() / metres_per_unit_);
   const auto z = static_cast<float>(position.z() / metres_per_unit_);
   float* out = &coordinates_[3 * static_cast<std::size_t>(point)];

@@ -34,6 +34,7 @@ class Numbering {
 
   int at(int cell, int i, int j) const {
     const int h = 4 * cell, nu = divisions_.u(cell), nv = divisions_.v(cell);
+    // Sides first: their points belong to edges, whichever cell asks.
     if (j == 0) return on_side(h, i, nu);
     if (i == nu) return on_side(h + 1, j, nv);
     if (j == nv) return on_side(h + 2, nu - i, nu);
@@ -46,6 +47,7 @@ class Numbering {
   int take(std::int64_t more) {
     const std::int64_t first = count_;
     count_ += more;
+    // Before anything of that size is made.
     if (count_ > std::numeric_limits<int>::max()) {
       throw std::invalid_argument(
           "The tessellation would have more than 2^31 points. Divide cells "
@@ -70,10 +72,12 @@ class Numbering {
     corners_.assign(cells_.half_edge_count(), -1);
     for (int start = 0; start < cells_.half_edge_count(); ++start) {
       if (corners_[start] >= 0) continue;
+      // What is reached around the vertex without crossing a crease.
       const int sector = take(1);
       for (int h = start; h >= 0 && corners_[h] < 0; h = mesh::turn_left(cells_, h)) {
         corners_[h] = sector;
       }
+      // The first half-edge may be in the middle of its sector.
       for (int h = mesh::turn_right(cells_, start); h >= 0 && corners_[h] < 0;
            h = mesh::turn_right(cells_, h)) {
         corners_[h] = sector;
@@ -99,6 +103,7 @@ class Numbering {
   int on_side(int h, int i, int n) const {
     if (i == 0) return corners_[h];
     if (i == n) return corners_[cells_.next(h)];
+    // Numbers run along the edge's front half-edge; its twin runs against them.
     return edges_[h] + (cells_.is_edge_front(h) ? i : n - i) - 1;
   }
 
@@ -144,11 +149,13 @@ class Builder {
     normal_at_.clear();
     for (int j = 0; j <= nv; ++j) {
       for (int i = 0; i <= nu; ++i) {
+        // Samples run along v, numbers of corners along u.
         const std::size_t sample = static_cast<std::size_t>(i) * (nv + 1) + j;
         const double u = static_cast<double>(i) / nu, v = static_cast<double>(j) / nv;
         const int point = points_.at(cell, i, j), normal = normals_.at(cell, i, j);
         point_at_.push_back(point);
         normal_at_.push_back(normal);
+        // The first cell gives it to all that share it.
         if (!has_normal_[normal]) {
           has_normal_[normal] = 1;
           Vector3d& value = result_.normals[normal];
