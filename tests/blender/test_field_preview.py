@@ -299,6 +299,25 @@ def test_it_follows_the_curve_that_a_base_is():
     assert np.array_equal(points_of(hull), before)
 
 
+def test_what_is_said_of_a_curve_is_said_anew_where_the_reason_is_another():
+    hull = sample()
+    place = side_point(hull)
+    line = [(place[0] + x, place[1], place[2]) for x in (-8.0, 0.0, 8.0)]
+    curve = part("bridge.objects.curve_lines").made("Line", line, False, hull)
+    field = add(hull, place, base="CURVE", extent=12.0, shift=(0.0, 0.2, 0.0))
+    field.curve = curve
+    bpy.ops.hull.preview_fields()
+    curve.data.bevel_depth = 1.0
+    changed()
+    assert "is no line" in shown(hull).problem
+    curve.data.splines.new("POLY")
+    curve.data.update_tag()
+    changed()
+    assert "has 2 splines" in shown(hull).problem
+    assert not preview_oracle.differences(hull, bpy.context.scene)
+    bpy.ops.hull.cancel_fields()
+
+
 def test_a_hull_that_is_too_coarse_is_subdivided_meanwhile():
     hull = sample()
     field = add(hull, side_point(hull), extent=8.0, shift=(0.0, 0.5, 0.0))

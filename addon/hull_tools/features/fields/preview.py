@@ -267,11 +267,11 @@ def values_of(field, obj):
 
 
 def _points_of(curve, obj):
-    """Equal for a curve object that shows the same; of one that is no line its name."""
+    """Equal for a curve object that shows the same; of one that is no line for what is said of it."""
     if curve is None:
         return None
     try:
         points, is_closed = curve_lines.points_of(curve, obj)
-    except ValueError:
-        return curve.name_full
+    except ValueError as error:
+        return curve.name_full, str(error)
     return points.tobytes(), is_closed
