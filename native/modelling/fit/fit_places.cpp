@@ -47,6 +47,8 @@ PlacePulls find_place_pulls(const surface::LimitSurface& surface,
     const SeenPlace& place = places[i];
     const Vector3d off = foot.point - place.point;
     FitRow row{place.cell, place.u, place.v, Vector3d::Zero(), 0.0, place.area};
+    // Only across the shape, so that places may slide along it. On borders and creases there is no
+    // one plane, and at a cone tip no normal.
     if (foot.kind == surface::FootKind::kSmooth) {
       row.direction = shape.normal(foot.cell, foot.u, foot.v);
     }
