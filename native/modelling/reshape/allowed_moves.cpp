@@ -52,6 +52,7 @@ std::vector<Vector3d> allowed_moves(const MoveSpace& space, const std::vector<in
   for (std::size_t i = 0; i < moves.size(); ++i) {
     wanted.segment<3>(3 * static_cast<Eigen::Index>(i)) = moves[i];
   }
+  // The projection on what the rows span: of dependent columns any solution makes the same moves.
   const Eigen::VectorXd found = rows * mesh::least_norm_solution(rows, wanted);
   for (std::size_t i = 0; i < result.size(); ++i) {
     result[i] = found.segment<3>(3 * static_cast<Eigen::Index>(i));

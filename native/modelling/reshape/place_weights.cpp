@@ -96,6 +96,8 @@ class PlaceWeights::Builder {
     }
     for (int square = 0; square < squares.count(); ++square) {
       const KindRows& rows = places_.kind_of(square);
+      // Places are numbered as they come: square after square, in each ring after ring, the knot
+      // last.
       places_.first_.push_back(places_.count());
       places_.cells_.insert(places_.cells_.end(), rows.shares.size(), squares.cell(square));
       places_.shares_.insert(places_.shares_.end(), rows.shares.begin(), rows.shares.end());
@@ -135,6 +137,7 @@ class PlaceWeights::Builder {
     Eigen::MatrixXd square = basis.matrix();
     for (int ring = 1; ring < surface::kPlainRings; ++ring) square = basis.matrix() * square;
     const Eigen::MatrixXd& left = basis.spectrum().left;
+    // From the first point on, as weights of a small square are nearly those of its knot.
     const Eigen::MatrixXd around = square.topRows(left.rows()).rowwise() - square.row(0);
     return square.row(0) + left.col(0).transpose() * around;
   }
@@ -157,6 +160,8 @@ bool PlaceWeights::fit(const surface::LimitSurface& surface) const {
 template <std::size_t kAsked, int kColumns>
 std::array<NumberRows<kColumns>, kAsked> PlaceWeights::applied(
     const NumberRows<kColumns>& control, const std::array<int, kAsked>& asked) const {
+  // Two products instead of one with the weights multiplied out: control points to the refined
+  // points, which squares share, and these to places.
   const NumberRows<kColumns> refined = squares().weights() * control;
   std::array<NumberRows<kColumns>, kAsked> results;
   for (NumberRows<kColumns>& result : results) result.resize(count(), kColumns);
@@ -185,6 +190,8 @@ std::array<NumberRows<kColumns>, kAsked> PlaceWeights::applied(
 
 template <int kColumns>
 NumberRows<kColumns> PlaceWeights::taken_back(const NumberRows<kColumns>& by_places) const {
+  // The same products transposed, the last first. Squares add to points that they share: one after
+  // another, in an order that is always the same.
   NumberRows<kColumns> refined =
       NumberRows<kColumns>::Zero(squares().weights().rows(), Eigen::Index{kColumns});
   for (std::size_t k = 0; k < kinds_.size(); ++k) {
@@ -209,6 +216,7 @@ NumberRows<kColumns> PlaceWeights::taken_back(const NumberRows<kColumns>& by_pla
   return squares().weights().transpose() * refined;
 }
 
+// All that the header's functions ask for.
 template std::array<VectorRows, 1> PlaceWeights::applied(const VectorRows&,
                                                          const std::array<int, 1>&) const;
 template std::array<VectorRows, 2> PlaceWeights::applied(const VectorRows&,
