@@ -59,6 +59,7 @@ MoveFamily::MoveFamily(const surface::LimitSurface& surface, const ReshapeLimits
     form += thin_plate_form(surface, places_.weights()->forms(),
                             std::pow(stiffness * surface.mesh().size(), 2));
   }
+  // A move costs the same along x, y and z; only the basis tells these apart.
   form_ = basis_.transpose() * (for_all_axes(form) * basis_);
   if (size() == 0) return;
   const double mean = form_.diagonal().sum() / static_cast<double>(size());

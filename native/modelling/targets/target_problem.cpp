@@ -75,6 +75,7 @@ void TargetProblem::place(const HullChange& change) {
   const analysis::ProjectDimensions project{water_.project.length_pp * scale_.x(),
                                             water_.project.beam * scale_.y(),
                                             water_.project.draft * scale_.z()};
+  // Derivatives are made when they are asked for: a step that is refused needs values alone.
   by_moves_.reset();
   position_ = position;
   numbers_.emplace(derivatives_, position, project, water_.density);
@@ -108,6 +109,7 @@ double TargetProblem::value(std::size_t row) {
   if (target.wave_speed) return wave_resistance(row);
   if (target.coordinate) {
     const auto& [cell, uv, direction] = *target.coordinate;
+    // Of the surface scaled back, as its bound is one of the hull before scaling.
     return direction.dot(surface_.position(cell, uv[0], uv[1]).cwiseQuotient(scale_));
   }
   if (target.is_section) return numbers_->section_area(target.station * scale_.x());
@@ -141,15 +143,19 @@ Eigen::VectorXd TargetProblem::gradient(Eigen::Index row) {
   } else {
     by_points = numbers_->gradient(target.number);
   }
+  // With trim no dimension is free (TargetDescent::check_scales), and a coordinate does not depend
+  // on the factors.
   if (water_.position.trim == 0.0 && !target.coordinate) {
     const Vector3d by_logarithm = target.wave_speed ? wave_scaling(by_points)
                                   : target.is_section
                                       ? numbers_->section_area_scaling(station, by_points)
                                       : numbers_->scaling(target.number, by_points);
+    // d/ds = (1 / s) d/d(log s).
     by_scale_.row(row) = by_logarithm.cwiseQuotient(scale_).transpose();
   }
   Eigen::VectorXd found(3 * by_points.rows());
   for (Eigen::Index k = 0; k < by_points.rows(); ++k) {
+    // The chain rule: the points are those of the moves, times the factors.
     found.segment<3>(3 * k) = by_points.row(k).transpose().cwiseProduct(scale);
   }
   return found;
