@@ -34,6 +34,7 @@ Eigen::RowVectorXd second_derivative(const surface::PieceWeights::Jet& jet,
   const auto parts = [&](const Vector3d& x) -> Eigen::Vector2d {
     return inverse * Eigen::Vector2d(x.dot(s), x.dot(t));
   };
+  // In (s, t) per metre along the line.
   const Eigen::Vector2d d = parts(along);
   const auto twice = [&](const auto& of) {
     return (d[0] * d[0] * of.row(2) + 2.0 * d[0] * d[1] * of.row(3) + d[1] * d[1] * of.row(4))

@@ -148,6 +148,8 @@ SurfaceEnergy::Linear differentiated(const Eigen::MatrixX3d& at, const Eigen::Ma
   std::array<Vector3<Number>, Rows> derivatives;
   for (int k = 0; k < Rows; ++k) {
     for (int axis = 0; axis < 3; ++axis) {
+      // By the few coordinates of the derivatives, whatever the piece's points: these come by the
+      // chain rule, as the derivatives are linear in them.
       derivatives[k][axis] = Number(at(k, axis), 3 * Rows, 3 * k + axis);
     }
   }
@@ -156,6 +158,7 @@ SurfaceEnergy::Linear differentiated(const Eigen::MatrixX3d& at, const Eigen::Ma
   SurfaceEnergy::Linear linear{Eigen::VectorXd(count), Eigen::MatrixXd(count, 3 * rows.cols())};
   for (Eigen::Index r = 0; r < count; ++r) {
     linear.residuals[r] = found[r].value();
+    // Column k: x, y and z of derivative k.
     const Eigen::Map<const Eigen::Matrix<double, 3, Rows>> slopes(found[r].derivatives().data());
     const Eigen::Matrix3Xd by_point = slopes * rows;
     linear.derivatives.row(r) =
@@ -234,10 +237,12 @@ SurfaceEnergy::Normal SurfaceEnergy::normal(const std::vector<Vector3d>& points,
   Eigen::MatrixXd form;
   for (std::size_t k = 0; k < places_.size(); ++k) {
     const std::vector<int>& which = points_of(places_[k]);
+    // Places of a piece follow one another: their forms are summed before they are spread.
     const bool is_first = k == 0 || places_[k].piece != places_[k - 1].piece;
     if (is_first) form.setZero(3 * which.size(), 3 * which.size());
     const Linear linear = this->linear(places_[k], points);
     if (linear.residuals.size() > 0) {
+      // Gauss's: without the residuals' own second derivatives, hence never negative.
       form.noalias() += linear.derivatives.transpose() * linear.derivatives;
       const Eigen::VectorXd slopes = linear.derivatives.transpose() * linear.residuals;
       for (std::size_t i = 0; i < which.size(); ++i) {
