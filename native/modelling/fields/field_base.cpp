@@ -97,6 +97,7 @@ class RegionBase final : public FieldBase {
     const auto* region = dynamic_cast<const RegionBase*>(&other);
     if (!region || region->tree_.piece_count() != tree_.piece_count()) return false;
     for (int i = 0; i < tree_.piece_count(); ++i) {
+      // Cells and their 16 points to the bit: so a surface that was moved is another base.
       const surface::PiecePlace &own = tree_.place(i), &its = region->tree_.place(i);
       const double *points = tree_.patch(i).x[0], *others = region->tree_.patch(i).x[0];
       if (own.cell != its.cell || !std::equal(points, points + 48, others)) return false;
