@@ -82,6 +82,8 @@ class KnuckleProblem {
             {t, curve.evaluate(t, 1).d1.normalized(), side(curve.left(t)), side(curve.right(t))});
       }
     }
+    // By what is stored, zeros included: no direction of the space reaches a point beside the
+    // knuckle.
     if (jacobian().nonZeros() == 0) {
       throw std::invalid_argument(
           "No control point beside the knuckle may move: unlock some, or release a flat.");
@@ -201,6 +203,7 @@ double deviation_of(const surface::LimitSurface& surface, const surface::CreaseC
     for (int i = 0; i <= kMeasuredSamples; ++i) {
       const double t = edge + static_cast<double>(i) / kMeasuredSamples;
       const double now = surface::knuckle_angle(surface, curve, t);
+      // At an end a side may have no tangent plane, and no angle that could be off.
       if (!std::isnan(now)) most = std::max(most, std::abs(now - angle));
     }
   }
@@ -223,6 +226,7 @@ KnuckleSetting set_knuckle_angle(const surface::LimitSurface& surface,
   while (result.steps < options.most_steps) {
     ++result.steps;
     const Sparse J = problem.jacobian();
+    // What is to be short are the moves from the start, not the steps: each gives all of x anew.
     const Eigen::VectorXd change = least_moves(J, J * x - e) - x;
     // Far from the goal a whole step may turn a side over.
     const double part = std::min(1.0, 0.5 / std::max(1e-300, (J * change).cwiseAbs().maxCoeff()));

@@ -261,6 +261,8 @@ void Smoothing::find_p() {
 SmoothCurve Smoothing::run() {
   const double scale = points_.squaredNorm();
   const auto is_met = [&] { return error_of() <= wanted_ + kInterpolated * scale; };
+  // Knots come, by least squares alone, until E is within S; only then it is let up to S, for the
+  // sake of fairness.
   bool is_short = false;
   fit(p_);
   const bool is_polynomial = is_met();

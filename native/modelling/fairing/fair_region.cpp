@@ -136,6 +136,7 @@ Sparse FairRegion::Problem::mass() const {
   Triplets entries;
   for (Eigen::Index column = 0; column < form.outerSize(); ++column) {
     for (Sparse::InnerIterator it(form, column); it; ++it) {
+      // Others have no part in the basis: without them the products are small.
       if (may_move_[it.row()] && may_move_[it.col()]) {
         entries.emplace_back(it.row(), it.col(), it.value());
       }
@@ -206,6 +207,7 @@ BoundedMinimum::Result FairRegion::Problem::descend(const Eigen::VectorXd& value
                                                     const surface::Progress& progress,
                                                     Faired& faired) const {
   const Sparse weights = mass();
+  // From the shortest moves that meet the conditions.
   Result now{minimum_->shortest(values), 0.0, 0.0, false};
   double energy = energy_at(now.x), damping = kFirstDamping;
   int idle = 0;

@@ -50,6 +50,7 @@ QuadraticEnergy quadratic_energy(const surface::LimitSurface& surface,
                            // constant.
                            sum.gradient.segment<3>(3 * which[i]) += form(i, j) * points[which[j]];
                            sum.constant += form(i, j) * points[which[i]].dot(points[which[j]]);
+                           // Entries of others would be multiplied by moves that are zero.
                            if (counts[which[i]] && counts[which[j]]) {
                              entries.emplace_back(which[i], which[j], form(i, j));
                            }

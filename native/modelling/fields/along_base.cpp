@@ -66,6 +66,7 @@ ValueAlong<Value> AlongBase<Value>::at(double length) const {
   const std::size_t i = static_cast<std::size_t>(after - lengths_.begin()) - 1;
   const double step = lengths_[i + 1] - lengths_[i];
   const double b = (length - lengths_[i]) / step, a = 1.0 - b, sixth = step / 6.0;
+  // Linear between the values, and two cubics that are zero at both and have the bends there.
   const Value value =
       a * values_[i] + b * values_[i + 1] +
       sixth * step * ((a * a * a - a) * bends_[i] + (b * b * b - b) * bends_[i + 1]);

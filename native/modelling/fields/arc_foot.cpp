@@ -88,6 +88,7 @@ class Search {
 
   // The one minimum of a convex stretch, by Newton's method in a bracket.
   void descend(double begin, double end) {
+    // Where its slope keeps its sign a convex function has its least at an end.
     if (slope(begin) >= 0.0) return try_at(begin);
     if (slope(end) <= 0.0) return try_at(end);
     double low = begin, high = end, t = 0.5 * (begin + end);
@@ -120,6 +121,8 @@ class Search {
 surface::CurveJet arc_jet(const Arc& arc, double t) {
   const double s = 1.0 - t;
   surface::CurveJet jet;
+  // De Casteljau: the points of the last round but one give the first derivative, those before the
+  // second.
   const Vector3d a = s * arc[0] + t * arc[1], b = s * arc[1] + t * arc[2],
                  c = s * arc[2] + t * arc[3];
   const Vector3d ab = s * a + t * b, bc = s * b + t * c;

@@ -118,6 +118,7 @@ class Collector {
       if (curve.chain >= 0 && static_cast<int>(k) != curve.chain) continue;
       const OnChain here = chains_[k].nearest(p);
       if (here.distance >= at.distance || here.distance > reach_) continue;
+      // Either way round: chains have no direction that a line could know.
       if (curve.chain < 0 && std::abs(chains_[k].tangent(here.t).dot(along)) < kSameCourse) {
         continue;
       }

@@ -45,6 +45,7 @@ Eigen::SparseMatrix<double> FitEquations::hessian() const {
     const auto row = static_cast<Eigen::Index>(3 * (key / count_)),
                column = static_cast<Eigen::Index>(3 * (key % count_));
     for (int a = 0; a < 3; ++a) {
+      // A block on the diagonal is symmetric: its lower half is enough.
       for (int b = 0; b < (row == column ? a + 1 : 3); ++b) {
         // Each entry comes once: the order of the hash map has no say in any sum.
         lower.emplace_back(row + a, column + b, values(a, b));

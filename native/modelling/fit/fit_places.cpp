@@ -29,6 +29,7 @@ std::vector<SeenPlace> places_of(const surface::LimitSurface& surface) {
     for (double u : kThirds) {
       for (double v : kThirds) {
         const surface::SurfaceJet jet = surface.evaluate(cell, u, v, 1);
+        // The midpoint rule in each third: du and dv are those of the whole cell.
         places.push_back({cell, u, v, jet.point, jet.du.cross(jet.dv).norm() / kPerCell});
       }
     }
@@ -56,6 +57,7 @@ PlacePulls find_place_pulls(const surface::LimitSurface& surface,
       row.direction = off / foot.distance;
     }
     row.distance = row.direction.dot(off);
+    // By the place's index: the order of rows, and so of sums, is not that of the threads.
     pulls.rows[i] = row;
   };
   surface::parallel_for(

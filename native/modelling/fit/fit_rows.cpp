@@ -20,6 +20,7 @@ void fill_row(const FitRow& row, const Eigen::VectorXd& weights, Eigen::MatrixXd
 void add_products(const std::vector<int>& points, const Eigen::MatrixXd& matrix,
                   const Eigen::VectorXd& right, FitEquations& equations) {
   Eigen::MatrixXd hessian = Eigen::MatrixXd::Zero(matrix.cols(), matrix.cols());
+  // The lower half alone: the equations take no more.
   hessian.selfadjointView<Eigen::Lower>().rankUpdate(matrix.transpose());
   equations.add(points, hessian, matrix.transpose() * right);
 }

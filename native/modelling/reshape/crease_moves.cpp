@@ -83,11 +83,13 @@ CreaseMoves crease_moves(const surface::LimitSurface& surface, const surface::Cr
     free.col(end).setZero();
   }
   for (Eigen::Index i = 0; i < moves.rows(); ++i) {
+    // After the ends: what stays does so whatever is wanted of an end.
     if (std::ranges::find(staying, curve.vertices()[i]) == staying.end()) continue;
     moves.row(i).setZero();
     free.col(i).setZero();
   }
   const Eigen::MatrixX3d left = wanted - rows * moves;
+  // x, y and z have the same matrix.
   const Eigen::MatrixX3d rest = mesh::least_norm_solutions(free, left);
   for (Eigen::Index i = 0; i < moves.rows(); ++i) {
     // Those that are told, and those that no t depends on, stay as they are to the bit.

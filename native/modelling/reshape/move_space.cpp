@@ -149,6 +149,7 @@ class MoveSpace::Builder {
     for (int index : own_rows) {
       const auto i = static_cast<Eigen::Index>(rows.size());
       for (const auto& [coordinate, slope] : rows_[index]) {
+        // Coordinates rise, as they were collected. A row may name one twice: its slopes add up.
         matrix(i, std::ranges::lower_bound(coordinates, coordinate) - coordinates.begin()) += slope;
       }
       rows.emplace_back(matrix.row(i).transpose());

@@ -116,6 +116,7 @@ class PlaceWeights::Builder {
     const auto count = per_piece * static_cast<Eigen::Index>(pieces.size());
     KindRows rows;
     for (int k = 0; k < 3; ++k) {
+      // A corner has one place more, its knot, where derivatives stay zero.
       rows.rows[k].setZero(kind.basis ? count + 1 : count, kind.point_count());
       for (std::size_t i = 0; i < pieces.size(); ++i) {
         rows.rows[k].middleRows(static_cast<Eigen::Index>(i) * per_piece, per_piece) =
@@ -152,6 +153,7 @@ PlaceWeights::PlaceWeights(const surface::LimitSurface& surface, int per_side)
 }
 
 bool PlaceWeights::fit(const surface::LimitSurface& surface) const {
+  // Copies of a surface share their layout: mostly nothing needs to be compared.
   if (surface.shared_layout() == layout_) return true;
   return surface.scheme() == layout_->scheme() &&
          is_same(surface.mesh().topology(), mesh_.topology());

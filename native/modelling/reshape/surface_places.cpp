@@ -52,6 +52,7 @@ void SurfacePlaces::measure(const std::vector<Vector3d>& points) {
     const bool has_normal = across.norm() > kNoArea * along.norm() * other.norm();
     positions_.emplace_back(at.row(k).transpose());
     normals_.push_back(has_normal ? Vector3d(across.normalized()) : Vector3d::Zero());
+    // Of knots 0, for the moment.
     areas_.push_back(weights_->share(k) * across.norm());
   }
   for (const PlaceWeights::Knot& knot : weights_->knots()) {

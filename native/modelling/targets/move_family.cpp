@@ -61,6 +61,7 @@ MoveFamily::MoveFamily(const surface::LimitSurface& surface, const ReshapeLimits
   }
   // A move costs the same along x, y and z; only the basis tells these apart.
   form_ = basis_.transpose() * (for_all_axes(form) * basis_);
+  // Dimensions may be free, even so.
   if (size() == 0) return;
   const double mean = form_.diagonal().sum() / static_cast<double>(size());
   Sparse identity(size(), size());

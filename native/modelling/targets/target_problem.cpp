@@ -63,6 +63,7 @@ void TargetProblem::place(const HullChange& change) {
   std::vector<Vector3d> points = start_;
   for (std::size_t i = 0; i < points.size(); ++i) {
     points[i] += moves.segment<3>(3 * static_cast<Eigen::Index>(i));
+    // About the origin: the after perpendicular, the centre plane and the base line.
     points[i] = points[i].cwiseProduct(change.scale);
   }
   surface_.set_points(std::move(points));
@@ -120,6 +121,7 @@ Vector3d TargetProblem::wave_scaling(const analysis::Gradient& gradient) const {
   Vector3d sum = Vector3d::Zero();
   const std::vector<Vector3d>& points = surface_.mesh().points();
   for (Eigen::Index k = 0; k < gradient.rows(); ++k) {
+    // By the logarithm of a factor a point moves by its own coordinate, in height from the water.
     const Vector3d p = points[static_cast<std::size_t>(k)] - Vector3d(0.0, 0.0, position_.draft);
     sum += gradient.row(k).transpose().cwiseProduct(p);
   }

@@ -69,6 +69,7 @@ TargetsReached TargetDescent::run() {
   const Eigen::VectorXd before = problem_.values();
   problem_.place(now_);
   values_ = problem_.values();
+  // Once: sizes that went along with the derivatives would change what is made least.
   prepare_rows(before);
   // For the progress alone: where nothing is missed there is no division by zero.
   const double missing = std::max(total_miss(values_), 1e-300);
@@ -84,6 +85,7 @@ TargetsReached TargetDescent::run() {
       break;
     }
     if (step.is_settled || !step.is_taken) {
+      // A fold that stopped the way says more than what is missed because of it.
       result.status = step.fold >= 0                       ? TargetStatus::kFolded
                       : all_met(values_)                   ? TargetStatus::kMet
                       : step.is_settled || is_priced_out() ? TargetStatus::kUnreachable

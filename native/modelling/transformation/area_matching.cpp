@@ -149,6 +149,7 @@ AreasMatched match_areas(const analysis::HullBody& body, const analysis::Floatin
   const auto [aft, forward] = hull.immersed_range();
   const double margin = AreaCurve::kInside * (forward - aft);
   const std::vector<double> stations = spread(aft + margin, forward - margin, kStations);
+  // All along both: where only one of the two is it is compared with nothing.
   const std::vector<double> compared =
       spread(std::min(aft + margin, target.aft()), std::max(forward - margin, target.forward()),
              kCompared);

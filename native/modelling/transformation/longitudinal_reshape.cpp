@@ -46,6 +46,7 @@ ReshapeOptions options_for(const surface::LimitSurface& surface, const Transform
     if (std::abs(held.normal.normalized().x()) > kRaked) is_raked[held.point] = 1;
   }
   for (std::size_t i = 0; i < points.size(); ++i) {
+    // In a raked plane a point that moves along the ship must rise or spread as well.
     if (is_raked[i]) continue;
     options.limits.limits.held.push_back({static_cast<int>(i), Vector3d::UnitY()});
     options.limits.limits.held.push_back({static_cast<int>(i), Vector3d::UnitZ()});

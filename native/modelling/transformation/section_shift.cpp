@@ -17,6 +17,7 @@ ShiftSettings with_length(ShiftSettings settings, const analysis::ProjectDimensi
 }
 
 Eigen::MatrixXd slopes_along(const ShiftFunctions& functions, const SurfacePlaces& places) {
+  // All of the hull, beyond the perpendiculars, too.
   double from = INFINITY, to = -INFINITY;
   for (int k = 0; k < places.count(); ++k) {
     from = std::min(from, places.position(k).x());
