@@ -145,6 +145,7 @@ void Smoothing::fit(double p) {
   }
   if (std::isfinite(p)) {
     const Eigen::RowVectorXd none = Eigen::RowVectorXd::Zero(points_.cols());
+    // Of inner knots.
     for (Index span = order(); knots_[span] < knots_.back(); ++span) {
       Eigen::VectorXd jump = Eigen::VectorXd::Zero(order() + 1);
       // The degree's derivative is constant in each span: that after the knot, less that before it.
@@ -208,6 +209,7 @@ bool Smoothing::add_knot() {
       if (t > knots_[span] && t < knots_[span + 1]) inside.push_back(t);
     }
     if (inside.empty()) continue;
+    // The middle point where a knot in the middle leaves some coefficient without a point.
     for (double place : {0.5 * (knots_[span] + knots_[span + 1]), inside[inside.size() / 2]}) {
       std::vector<double> knots = knots_;
       knots.insert(knots.begin() + span + 1, place);

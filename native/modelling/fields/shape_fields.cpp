@@ -67,6 +67,7 @@ ShapeFields::ShapeFields(std::vector<ShapeField> fields, bool mirrored, FieldBle
     for (const Vector3d& shift : field.shift.values()) {
       if (!shift.allFinite()) throw std::invalid_argument(name + ": the shift is no number.");
     }
+    // Where the extent varies its least value decides.
     const double extent = *std::ranges::min_element(field.extent.values());
     const bool is_in_plane = mirrored && field.base->is_in_centre_plane(kOwnImage * extent);
     // The image of a base in the plane would be there twice, and shift twice as far.

@@ -78,6 +78,7 @@ class Chain {
 
 surface::CellPlace place_at(const surface::CreaseCurve& curve, double t) {
   const surface::CellPlace left = curve.left(t);
+  // Beside a border is a face on one side alone.
   return left.cell >= 0 ? left : curve.right(t);
 }
 

@@ -88,6 +88,7 @@ class MoveSpace::Builder {
     }
     for (std::size_t i = 0; i < limits.prescribed.size(); ++i) {
       for (int axis = 0; axis < 3; ++axis) {
+        // All three axes, so that the point is told and nothing of it is left in the basis.
         add_row({{limits.prescribed[i]}, {Vector3d::Unit(axis)}}, 3 * static_cast<int>(i) + axis);
       }
     }
@@ -163,6 +164,7 @@ class MoveSpace::Builder {
       }
       ++columns_;
     }
+    // Where nothing is told the shortest move is none.
     if (std::ranges::all_of(told, [](int c) { return c < 0; })) return;
     Eigen::MatrixXd inverse = mesh::pseudo_inverse(matrix);
     space_.told_groups_.push_back({coordinates, std::move(matrix), told, std::move(inverse)});

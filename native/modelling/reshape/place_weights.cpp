@@ -178,6 +178,7 @@ std::array<NumberRows<kColumns>, kAsked> PlaceWeights::applied(
         }
       }
       for (std::size_t one = 0; one < kAsked; ++one) {
+        // Points are gathered once for all that is asked of them.
         places.noalias() = kinds_[k].rows[asked[one]] * points;
         for (std::size_t b = 0; b < batch.size(); ++b) {
           for (Eigen::Index i = 0; i < places.rows(); ++i) {
@@ -253,6 +254,7 @@ PlaceWeights::SquareRows PlaceWeights::rows(int square) const {
   Eigen::Index i = 0;
   for (int point : squares().points(square)) {
     for (surface::WeightRows::InnerIterator w(weights, point); w; ++w) {
+      // Several of the square's points may have a control point in common.
       const auto column = std::ranges::lower_bound(result.points, w.col()) - result.points.begin();
       result.rows.col(column) += w.value() * by_own.col(i);
     }

@@ -141,9 +141,12 @@ class Finder {
       row[tied == leader_.end() ? points[k] : tied->second] += weight;
       whole = std::max(whole, std::abs(weight));
     }
+    // Where ties say all the weights of a point and its leader cancel: nothing is left but
+    // rounding.
     std::erase_if(row, [&](const auto& entry) { return std::abs(entry.second) < 1e-13 * whole; });
     double squares = 0.0;
     for (const auto& [point, weight] : row) squares += weight * weight;
+    // Of unit length, as what counts as rounding is told by that.
     for (auto& [point, weight] : row) weight /= std::sqrt(squares);
     return row;
   }

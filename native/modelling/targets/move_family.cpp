@@ -66,6 +66,7 @@ MoveFamily::MoveFamily(const surface::LimitSurface& surface, const ReshapeLimits
   const double mean = form_.diagonal().sum() / static_cast<double>(size());
   Sparse identity(size(), size());
   identity.setIdentity();
+  // Kept in the form: what is told as the cost is what is made least.
   form_ += kEnergyRegularisation * mean * identity;
   factors_.compute(form_);
   if (factors_.info() != Eigen::Success) {

@@ -136,6 +136,7 @@ TargetDescent::Step TargetDescent::take_step() {
       HullChange corrected = step_from(to, values, damping_);
       Eigen::VectorXd of_corrected;
       int other = -1;
+      // A correction longer than the step itself tells of no curve.
       if (length(corrected, now_) <= 2.0 * way + kLeastMoves * size_ &&
           try_at(corrected, of_corrected, other) && is_better(corrected, of_corrected, promise)) {
         to = std::move(corrected);

@@ -66,6 +66,7 @@ void TargetDescent::check_scales() const {
 
 TargetsReached TargetDescent::run() {
   TargetsReached result;
+  // As the hull is, before dimensions are brought within their limits.
   const Eigen::VectorXd before = problem_.values();
   problem_.place(now_);
   values_ = problem_.values();
@@ -172,6 +173,7 @@ double TargetDescent::length(const HullChange& a, const HullChange& b) const {
     // A way, not a cost: by scaling as by moves it is the shift of the surface.
     sum += 0.5 * scale_costs_[k] / options_.scale_cost * std::pow(a.scale[k] - b.scale[k], 2);
   }
+  // Costs are halves of mean squares.
   return std::sqrt(2.0 * sum);
 }
 
@@ -200,6 +202,7 @@ void TargetDescent::take_outcome(const Eigen::VectorXd& before, TargetsReached& 
   }
   result.cost = cost(now_);
   const Eigen::VectorXd moves = family_.moves(now_.y);
+  // The family's moves alone, without scaling.
   const VectorRows rows = family_.places().weights()->at(as_rows(moves));
   const Eigen::VectorXd shifts = rows.rowwise().squaredNorm();
   double sum = 0.0;

@@ -64,6 +64,7 @@ FairShifts::FairShifts(const AreaCurve& areas, const HullRange& immersed,
   equations.row(size + 1).head(size) = row(constraints.length_pp, 0);
   equations.rightCols(2) = equations.bottomRows(2).transpose().eval();
   Eigen::MatrixXd changes = Eigen::MatrixXd::Zero(size + 2, 2);
+  // Sums over samples stand for integrals: the spacing drops out with their lengths.
   changes.col(0).head(size) = volume.transpose() / volume.norm();
   changes.col(1).head(size) = moment.transpose() / moment.norm();
   // The least energy for a change is the response to its slope; by how much, the caller's

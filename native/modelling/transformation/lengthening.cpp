@@ -141,6 +141,7 @@ void refuse_moved(const std::vector<Vector3d>& moves, const TransformLimits& lim
   for (const std::vector<int>& group : limits.rigid) {
     for (int point : group) {
       check_point(point, static_cast<int>(moves.size()), "rigid");
+      // To the bit: what moves as one has a share of 0 or 1.
       if (moves[point].x() == moves[group.front()].x()) continue;
       throw std::invalid_argument("The control points " + std::to_string(group.front()) + " and " +
                                   std::to_string(point) +

@@ -136,6 +136,7 @@ struct LongitudinalReshape::Rigid {
 
 LongitudinalReshape::LongitudinalReshape(const surface::LimitSurface& surface,
                                          const TransformLimits& limits)
+    // Groups first, as the reshape's limits prescribe the moves of their points.
     : LongitudinalReshape(surface, limits, Rigid(surface.mesh().points(), limits)) {}
 
 LongitudinalReshape::LongitudinalReshape(const surface::LimitSurface& surface,

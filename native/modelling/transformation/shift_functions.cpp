@@ -95,6 +95,7 @@ double ShiftFunctions::towards_end(double x) const {
 double ShiftFunctions::by_area(double x) const {
   const bool has_parallel = settings_.parallel.has_value();
   const double largest =
+      // Not at an end itself: there must be room to fade on both sides.
       std::clamp(areas_->largest_position(), 0.1 * settings_.length_pp, 0.9 * settings_.length_pp);
   const double aft = has_parallel ? parallel_.aft : largest;
   const double fore = has_parallel ? parallel_.forward : largest;
@@ -123,6 +124,7 @@ double ShiftFunctions::value(int k, double x) const {
       value = k == 0 ? towards_end(x) : 0.5 * settings_.length_pp * by_area(x);
       break;
     case ShiftedPart::kApart:
+      // Coefficient 0 is of the fore body, 1 of the aft body.
       value = is_fore == (k == 0) ? towards_end(x) : 0.0;
       break;
     case ShiftedPart::kFore:

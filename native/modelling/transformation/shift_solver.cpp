@@ -42,6 +42,7 @@ void SectionShift::Solver::choose_directions() {
         "One half of the body alone meets one wanted value: leave out the displacement or LCB, or "
         "shift both halves.");
   }
+  // A alone for the volume alone, unless said otherwise below.
   directions_ = Eigen::MatrixXd::Identity(count, wanted);
   if (wanted != 1 || count != 2) return;
   if (shift_.functions_.part() == ShiftedPart::kApart) {
