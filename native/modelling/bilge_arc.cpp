@@ -34,6 +34,8 @@ class BilgeShape {
       const double turn = angle * i / (count + 1);
       return Vector2d(std::sin(turn), -std::cos(turn));
     };
+    // The side's end is the image of the bottom's in the bisector of the angle: both are laid out
+    // by the same lines.
     const Vector2d axis(std::sin(0.5 * angle), -std::cos(0.5 * angle));
     const double first = on_circle(1).x();
     place_end(bottom, 0, 1, first, [](const Vector2d& p) { return p; });
@@ -77,11 +79,15 @@ class BilgeShape {
     const Vector2d along = frame({1.0, 0.0});
     for (int point : {outer, at, next}) fixed_[point] = frame({0.0, -1.0});
     if (border.kind == BilgeBorder::Kind::kSmooth) {
+      // The surface goes on smoothly: the border's control point is free along the flat, and the
+      // one beyond it is given, away from the bilge.
       fixed_[outer] -= border.outer * along;
       add({{at, along}}, std::min(0.25 * (border.outer - first), 0.2 * first));
       add({{next, along}}, first);
       return;
     }
+    // A crease ends the cubic in its own point, as if the point beyond were 2 border - next: it
+    // moves against the next one, and twice as far as the border.
     if (border.kind == BilgeBorder::Kind::kBest) add({{outer, 2.0 * along}, {at, along}}, 0.0);
     add({{outer, -along}, {next, along}}, first);
   }
@@ -127,6 +133,7 @@ template <class Visit>
 void for_curve(int size, int samples, const Visit& visit) {
   const int spans = size - 3;
   for (int i = 0; i <= spans * samples; ++i) {
+    // The last place is the end of the last span, not the start of one more.
     const int span = std::min(i / samples, spans - 1);
     visit(span, static_cast<double>(i) / samples - span);
   }
@@ -161,6 +168,7 @@ Eigen::VectorXd minimax(const BilgeShape& shape, const RoundedCorner& wanted) {
     for (Eigen::Index i = 0; i < n; ++i) {
       Vector2d q = samples.fixed[i];
       for (Eigen::Index k = 0; k < m; ++k) q += x[k] * samples.parts[i][k];
+      // Gauss and Newton: the distance is taken as straight across flats and circle at each point.
       const Vector2d gradient = wanted.gradient(q);
       e[i] = wanted.distance(q);
       for (Eigen::Index k = 0; k < m; ++k) J(i, k) = gradient.dot(samples.parts[i][k]);
@@ -179,6 +187,7 @@ Eigen::VectorXd minimax(const BilgeShape& shape, const RoundedCorner& wanted) {
     }
     const Eigen::VectorXd root = weight.cwiseSqrt();
     const Eigen::MatrixXd weighted = root.asDiagonal() * J;
+    // Roots of the weights, as the solution takes squares of its rows.
     x -= mesh::least_norm_solution(weighted, root.cwiseProduct(e));
   }
   return best;

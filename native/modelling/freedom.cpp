@@ -11,6 +11,7 @@ namespace hull::modelling {
 namespace {
 
 Freedom freedom_across(const std::vector<Vector3d>& normals) {
+  // Across all that is held: space, a plane, a line or nothing.
   const std::vector<Vector3d> free = complement(normals, 3);
   Freedom freedom{{}, static_cast<int>(free.size())};
   std::ranges::copy(free, freedom.directions.begin());
@@ -39,6 +40,7 @@ std::vector<Freedom> freedoms_within(const MoveLimits& limits, int point_count) 
   std::vector<Freedom> freedoms;
   freedoms.reserve(point_count);
   for (const std::vector<Vector3d>& normals : held) freedoms.push_back(freedom_across(normals));
+  // Whatever holds a locked point besides.
   for (int point : limits.locked) {
     check_point(point, point_count, "locked");
     freedoms[point].count = 0;

@@ -29,6 +29,7 @@ std::vector<int> edges_to_set(const surface::LimitSurface& surface,
   const mesh::Topology& topology = surface.mesh().topology();
   const int count = static_cast<int>(curve.vertices().size());
   const auto is_dart = [&](int i) {
+    // A closed curve's last edge ends in its first point.
     return topology.kind(curve.vertices()[i % count]) == mesh::VertexKind::kDart;
   };
   std::vector<int> edges;
@@ -73,11 +74,16 @@ class KnuckleProblem {
         space_(with_locked(limits, curve.vertices()), static_cast<int>(start_.size())) {
     for (int edge : edges) {
       for (int i = 0; i < kSolvedSamples; ++i) {
+        // An eighth of an edge or more from its ends: outside of the squares at irregular knots
+        // that have no pieces, and away from corners, where the angle may not be defined. The
+        // direction is taken once, as the curve's own points are locked.
         const double t = edge + (i + 0.5) / kSolvedSamples;
         samples_.push_back(
             {t, curve.evaluate(t, 1).d1.normalized(), side(curve.left(t)), side(curve.right(t))});
       }
     }
+    // By what is stored, zeros included: no direction of the space reaches a point beside the
+    // knuckle.
     if (jacobian().nonZeros() == 0) {
       throw std::invalid_argument(
           "No control point beside the knuckle may move: unlock some, or release a flat.");
@@ -102,7 +108,8 @@ class KnuckleProblem {
     surface_.set_points(std::move(points));
   }
 
-  // By how much the angles are more than is wanted, the short way round.
+  // By how much the angles are more than is wanted. Not the short way round: that may lead by way
+  // of 180°, where the sides lie on one another.
   Eigen::VectorXd errors(double angle) const {
     Eigen::VectorXd e(static_cast<Eigen::Index>(samples_.size()));
     for (std::size_t i = 0; i < samples_.size(); ++i) {
@@ -152,6 +159,7 @@ class KnuckleProblem {
       ds += side.ds[static_cast<Eigen::Index>(k)] * p;
       dt += side.dt[static_cast<Eigen::Index>(k)] * p;
     }
+    // In (s, t): the step that goes 1 m outwards, and not along the knuckle.
     Eigen::Matrix2d plane;
     plane << ds.dot(along), dt.dot(along), ds.dot(outwards), dt.dot(outwards);
     const Eigen::Vector2d step = plane.fullPivLu().solve(Eigen::Vector2d(0.0, 1.0));
@@ -159,6 +167,7 @@ class KnuckleProblem {
       const auto index = static_cast<Eigen::Index>(k);
       const double weight = step.x() * side.ds[index] + step.y() * side.dt[index];
       for (int axis = 0; axis < 3; ++axis) {
+        // A side that rises towards the water takes its tilt from the angle, whichever side it is.
         entries.emplace_back(row, 3 * (*side.points)[k] + axis, -weight * n[axis]);
       }
     }
@@ -173,6 +182,8 @@ class KnuckleProblem {
 
 // Jᵀ (J Jᵀ + μ)^-1 r.
 Eigen::VectorXd least_moves(const Sparse& J, const Eigen::VectorXd& r) {
+  // A row for each sample, of which only those near one another share points: sparse, and much
+  // smaller than the moves' own normal equations, which would be singular besides.
   Sparse square = J * J.transpose();
   const double most = square.diagonal().maxCoeff();
   if (!(most > 0.0)) {
@@ -192,6 +203,7 @@ double deviation_of(const surface::LimitSurface& surface, const surface::CreaseC
     for (int i = 0; i <= kMeasuredSamples; ++i) {
       const double t = edge + static_cast<double>(i) / kMeasuredSamples;
       const double now = surface::knuckle_angle(surface, curve, t);
+      // At an end a side may have no tangent plane, and no angle that could be off.
       if (!std::isnan(now)) most = std::max(most, std::abs(now - angle));
     }
   }
@@ -214,6 +226,7 @@ KnuckleSetting set_knuckle_angle(const surface::LimitSurface& surface,
   while (result.steps < options.most_steps) {
     ++result.steps;
     const Sparse J = problem.jacobian();
+    // What is to be short are the moves from the start, not the steps: each gives all of x anew.
     const Eigen::VectorXd change = least_moves(J, J * x - e) - x;
     // Far from the goal a whole step may turn a side over.
     const double part = std::min(1.0, 0.5 / std::max(1e-300, (J * change).cwiseAbs().maxCoeff()));

@@ -79,6 +79,8 @@ using BendingRows = Eigen::Matrix<double, Eigen::Dynamic, 16, Eigen::RowMajor, 3
 
 BendingRows bending_rows(const SpanPlace& place, const SpanPoints& points, Bending bending) {
   const Vector3d s = points.transpose() * place.ds, t = points.transpose() * place.dt;
+  // Relative to the sides, so that small pieces are pieces. The negation below takes NaN, and sides
+  // of no length, for no area.
   const double area = s.cross(t).norm();
   if (!(area > kNoArea * s.norm() * t.norm())) return BendingRows(0, 16);
   Eigen::Matrix2d metric;
@@ -87,12 +89,15 @@ BendingRows bending_rows(const SpanPlace& place, const SpanPoints& points, Bendi
   // Second derivatives without their part along the surface, which the parameters make.
   const auto covariant = [&](const Span& second) -> Span {
     const Vector3d along = points.transpose() * second;
+    // Christoffel's symbols of this pair of parameters.
     const Eigen::Vector2d symbols = inverse * Eigen::Vector2d(along.dot(s), along.dot(t));
     return second - symbols[0] * place.ds - symbols[1] * place.dt;
   };
   const Span ss = covariant(place.dss), st = covariant(place.dst), tt = covariant(place.dtt);
   const double root = std::sqrt(place.weight * area);
   if (bending == Bending::kLengthwise) {
+    // In (s, t): the part of the x axis in the tangent plane, whose products with both sides are
+    // the x of these.
     const Eigen::Vector2d along = inverse * Eigen::Vector2d(s.x(), t.x());
     BendingRows row(1, 16);
     row.row(0) = root * (along[0] * along[0] * ss + 2.0 * along[0] * along[1] * st +
@@ -131,6 +136,7 @@ Eigen::MatrixXd piece_rows(const surface::LimitSurface& surface,
   Eigen::Index count = 0;
   for (const SpanPlace& place : span_places()) {
     const BendingRows rows = bending_rows(place, points, bending);
+    // Fewer than three where a place has no area.
     all.middleRows(count, rows.rows()) = rows;
     count += rows.rows();
   }
@@ -202,6 +208,8 @@ void add_thin_plate(const surface::LimitSurface& surface, const surface::PieceWe
     const surface::PieceWeights::Piece& piece = pieces.piece(i);
     const Eigen::MatrixXd rows = piece_rows(surface, piece, Bending::kAll);
     const Points bent = rows * local_values(piece, values);
+    // Equations are of what is added: the slope of what is bent already goes to the right, with its
+    // sign turned.
     equations.add_scalar(piece.points, factor * rows.transpose() * rows,
                          -factor * rows.transpose() * bent);
   }

@@ -24,6 +24,7 @@ void BandedLeastSquares::add(Eigen::Index first, const Eigen::VectorXd& values,
   for (Eigen::Index i = first; i < upper_.rows(); ++i) {
     if (row.isZero(0.0)) return;
     if (row[0] != 0.0) {
+      // The rotation that turns the new row's first entry into the one above it.
       const double length = std::hypot(upper_(i, 0), row[0]);
       const double c = upper_(i, 0) / length, s = row[0] / length;
       const Eigen::RowVectorXd above = upper_.row(i), side = right_.row(i);
@@ -42,6 +43,7 @@ Eigen::MatrixXd BandedLeastSquares::solve() const {
   Eigen::MatrixXd x = Eigen::MatrixXd::Zero(right_.rows(), right_.cols());
   const double largest = upper_.col(0).cwiseAbs().maxCoeff();
   for (Eigen::Index i = upper_.rows() - 1; i >= 0; --i) {
+    // No row tells of this one beyond what others do: it stays zero.
     if (!(std::abs(upper_(i, 0)) > kNothing * largest)) continue;
     Eigen::RowVectorXd rest = right_.row(i);
     const Eigen::Index count = std::min(upper_.cols(), upper_.rows() - i);

@@ -47,6 +47,7 @@ std::optional<PlaceBend> bend_of(const Jet& jet, const Eigen::MatrixX3d& points)
   bend.area = bend.normal.norm();
   if (!(bend.area > kFlatPiece * s.norm() * t.norm())) return std::nullopt;
   bend.normal /= bend.area;
+  // A frame that both surfaces have, whichever way their sides run.
   bend.along = Vector3d::UnitX() - bend.normal.x() * bend.normal;
   if (!(bend.along.norm() > kLooksAhead)) return std::nullopt;
   bend.along.normalize();
@@ -64,6 +65,7 @@ std::optional<PlaceBend> bend_of(const Jet& jet, const Eigen::MatrixX3d& points)
     covariant.row(k) -= symbols[0] * jet.row(0) + symbols[1] * jet.row(1);
   }
   const Eigen::Vector2d one = parts(bend.along), two = parts(bend.across);
+  // The second derivative along p and q, by ss, st and tt.
   const auto both = [&](const Eigen::Vector2d& p, const Eigen::Vector2d& q) {
     return Eigen::RowVector3d(p[0] * q[0], p[0] * q[1] + p[1] * q[0], p[1] * q[1]);
   };
@@ -127,6 +129,8 @@ struct PieceSums {
 
   void add_place(const PlaceBend& now, const PlaceBend& was, const Eigen::MatrixX3d& points,
                  const Eigen::MatrixX3d& points_before, double least, double weight) {
+    // To first order the normal's own turn changes nothing: what is covariant has no part along the
+    // surface.
     const Eigen::Vector3d h = now.rows * points * now.normal;
     const Eigen::Vector3d b = was.rows * points_before * was.normal;
     for (int k = 0; k < 3; ++k) {
@@ -158,6 +162,7 @@ QuadraticEnergy bend_change(const std::vector<Vector3d>& points, const BendsBefo
         const Jet rows = jet_rows(jet);
         const std::optional<PlaceBend> now = bend_of(rows, own), then = bend_of(rows, was);
         if (!now || !then) continue;
+        // Places are emphasised where they were before, wherever the surface comes to lie.
         const Vector3d place = was.transpose() * jet.at;
         sums.add_place(*now, *then, own, was, before.least,
                        shares[i] * shares[j] * now->area * emphasis(before, place));
@@ -170,6 +175,7 @@ QuadraticEnergy bend_change(const std::vector<Vector3d>& points, const BendsBefo
       if (!counts[which[i / 3]]) continue;
       for (Eigen::Index j = 0; j < sums.form.cols(); ++j) {
         if (!counts[which[j / 3]]) continue;
+        // The lower half is what the sums have.
         entries.emplace_back(row, 3 * which[j / 3] + j % 3,
                              sums.form(std::max(i, j), std::min(i, j)));
       }

@@ -26,6 +26,7 @@ Eigen::RowVectorXd second_derivative(const surface::PieceWeights::Jet& jet,
   }
   const Vector3d s = at.row(0), t = at.row(1);
   if (!(s.cross(t).norm() > kFlatPlace * s.norm() * t.norm())) {
+    // A place without area has no part in the sum.
     return Eigen::RowVectorXd::Zero(rows.cols());
   }
   Eigen::Matrix2d metric;
@@ -34,7 +35,9 @@ Eigen::RowVectorXd second_derivative(const surface::PieceWeights::Jet& jet,
   const auto parts = [&](const Vector3d& x) -> Eigen::Vector2d {
     return inverse * Eigen::Vector2d(x.dot(s), x.dot(t));
   };
+  // In (s, t) per metre along the line.
   const Eigen::Vector2d d = parts(along);
+  // The second derivative along d, by ss, st and tt.
   const auto twice = [&](const auto& of) {
     return (d[0] * d[0] * of.row(2) + 2.0 * d[0] * d[1] * of.row(3) + d[1] * d[1] * of.row(4))
         .eval();
@@ -74,6 +77,7 @@ MoveCondition BendSums::sum(const std::vector<Vector3d>& points,
       slope->second += row[static_cast<Eigen::Index>(i)] * place.out;
     }
   }
+  // In the order of the points, whatever that of the places.
   MoveCondition condition;
   for (const auto& [point, slope] : slopes) {
     condition.points.push_back(point);

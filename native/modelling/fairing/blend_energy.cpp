@@ -11,6 +11,7 @@ void visit_blend_forms(const surface::PieceWeights& pieces, const std::vector<in
       surface::bicubic_basis(kThirdDerivative, kThirdDerivative).transpose();
   for (int index : some) {
     const surface::PieceWeights::Piece& piece = pieces.piece(index);
+    // Pieces of rings are smaller than their cell.
     if (piece.size < 1.0) continue;
     const Eigen::RowVectorXd row = sixth * piece.rows;
     visit(piece.points, row.transpose() * row);

@@ -47,11 +47,13 @@ class BoundedMinimum::System {
   // False where H + p M is not positive.
   bool factor(const Sparse& h, double p) {
     const Sparse matrix = h + p * mass_;
+    // The matrices differ by p alone: one pattern, and one order of elimination.
     if (!is_analysed_) factors_.analyzePattern(matrix);
     is_analysed_ = true;
     factors_.factorize(matrix);
     if (factors_.info() != Eigen::Success) return false;
     if (conditions_.rows() == 0) return true;
+    // The Schur complement of the conditions is C (H + p M)^-1 C^T: small, and dense.
     across_ = factors_.solve(Eigen::MatrixXd(conditions_.transpose()));
     small_.compute(conditions_ * across_);
     return small_.info() == Eigen::Success;
@@ -78,6 +80,7 @@ BoundedMinimum::BoundedMinimum(Sparse mass, const Sparse& conditions)
   Sparse identity(mass_.rows(), mass_.cols());
   identity.setIdentity();
   mass_ += kRegularisation * trace(mass_) / static_cast<double>(mass_.rows()) * identity;
+  // Told here once: shortest() takes it for granted.
   if (Eigen::SimplicialLLT<Sparse>(mass_).info() != Eigen::Success) {
     throw std::invalid_argument(
         "The surface is so uneven there that no move of it can be computed.");
@@ -98,6 +101,7 @@ BoundedMinimum::Result BoundedMinimum::solve(
   const double most = kMostP * unit;
   double low = kLeastP * unit, high = most;  // too long at low, short enough at high
   double p = low;
+  // What p tends to; it is the answer where the conditions leave nothing shorter.
   Result best{shortest(d), most, 0.0, true};
   best.length = std::sqrt(best.x.dot(mass_ * best.x));
   bool is_first = true;
@@ -105,6 +109,7 @@ BoundedMinimum::Result BoundedMinimum::solve(
   double last_low = 0.0, last_high = 0.0;
   for (int step = 0; step < kMostChanges && high > low * (1.0 + 1e-15); ++step) {
     if (!system.factor(h, p)) {
+      // H alone is singular to rounding, as where it tells nothing of some moves: p must be larger.
       low = p;
       p = is_first ? 10.0 * p : std::sqrt(low * high);
       continue;
@@ -116,6 +121,8 @@ BoundedMinimum::Result BoundedMinimum::solve(
     const bool is_long = length > bound * (1.0 + kLengthMet), is_over = over > 1.0 + kExcessMet;
     if (!is_long && !is_over) {
       best = {x, p, length, !is_first};
+      // The first is short enough with next to no p: nothing bounds it. Others end where either
+      // bound is just met.
       if (is_first || length >= bound * (1.0 - kLengthMet) || over >= 1.0 - kExcessMet) break;
       high = p;
       last_high = std::log(std::max(length / bound, over));
@@ -127,14 +134,20 @@ BoundedMinimum::Result BoundedMinimum::solve(
     // Newton's step where the length decides; otherwise a secant between both ends, or the middle.
     double next = 0.0;
     if (length / bound >= over) {
+      // Minus length times the slope of the length by p; moves of x have no part in the conditions,
+      // so d is 0 here.
       const double slope = weighed.dot(system.solve(weighed, Eigen::VectorXd::Zero(d.size())));
       next = p + length * length * (length - bound) / (bound * slope);
     } else if (high < most && last_low > 0.0 && last_high < 0.0 && step % 3 != 2) {
+      // In logarithms, where both are nearly straight. Every third time the middle: a secant may
+      // creep up on one end.
       const double share = last_low / (last_low - last_high);
       next = low * std::pow(high / low, share);
     } else if (high >= most) {
+      // No p is known yet that is enough.
       next = p * std::max(2.0, over);
     }
+    // Kept between what is known to be too little and enough, whatever Newton and the secant say.
     p = next > low && next < high ? next : std::sqrt(low * high);
   }
   return best;

@@ -18,7 +18,7 @@ class BoundedMinimum {
   struct Result {
     Eigen::VectorXd x;
     double p, length;
-    bool is_bound;  // the length, or what `too_long` tells, bounds x
+    bool is_bound;  // the length, or what `excess` tells, bounds x
   };
 
   // M and C, for any number of H. Of M the diagonal is raised by 1e-11 of its mean.

@@ -131,6 +131,7 @@ void Smoothing::fit(double p) {
     coefficients_ = at_ends.complete({});
     return;
   }
+  // A jump takes degree + 2 splines beside one another, one more than a place.
   BandedLeastSquares equations(at_ends.free_count(), order() + 1, points_.cols());
   Eigen::VectorXd reduced;
   const auto add = [&](Index begin, const Eigen::VectorXd& values, Eigen::RowVectorXd right) {
@@ -144,10 +145,13 @@ void Smoothing::fit(double p) {
   }
   if (std::isfinite(p)) {
     const Eigen::RowVectorXd none = Eigen::RowVectorXd::Zero(points_.cols());
+    // Of inner knots.
     for (Index span = order(); knots_[span] < knots_.back(); ++span) {
       Eigen::VectorXd jump = Eigen::VectorXd::Zero(order() + 1);
+      // The degree's derivative is constant in each span: that after the knot, less that before it.
       jump.tail(order()) += basis_at(knots_, degree_, knots_[span], span, degree_);
       jump.head(order()) -= basis_at(knots_, degree_, knots_[span], span - 1, degree_);
+      // E + Σ jump² / p has its least where Σ jump² + p E has, and stays finite for a large p.
       add(span - order(), jump / std::sqrt(p), none);
     }
   }
@@ -176,6 +180,7 @@ bool Smoothing::has_points_enough(const std::vector<double>& knots) const {
   for (Index i = 0; i < unknowns; ++i) {
     if (!at_ends.is_free(i)) continue;
     const bool is_first = i == 0, is_last = i == unknowns - 1;
+    // Greedily from the left: the first point of the support that none before has taken.
     while (next < t_.size() && !(t_[next] > knots[i] || (is_first && t_[next] == knots[i]))) ++next;
     if (next == t_.size()) return false;
     const double end = knots[i + order()];
@@ -204,6 +209,7 @@ bool Smoothing::add_knot() {
       if (t > knots_[span] && t < knots_[span + 1]) inside.push_back(t);
     }
     if (inside.empty()) continue;
+    // The middle point where a knot in the middle leaves some coefficient without a point.
     for (double place : {0.5 * (knots_[span] + knots_[span + 1]), inside[inside.size() / 2]}) {
       std::vector<double> knots = knots_;
       knots.insert(knots.begin() + span + 1, place);
@@ -246,6 +252,7 @@ void Smoothing::find_p() {
     const double error = error_of();
     p_ = p;
     if (std::abs(error - wanted_) <= kMet * wanted_) return;
+    // A bisection in logarithms, as p may lie many powers of ten away from where it begins.
     (error > wanted_ ? low : high) = p;
     p = high == std::numeric_limits<double>::infinity() ? 100.0 * p
         : low == 0.0                                    ? 0.01 * p
@@ -256,6 +263,8 @@ void Smoothing::find_p() {
 SmoothCurve Smoothing::run() {
   const double scale = points_.squaredNorm();
   const auto is_met = [&] { return error_of() <= wanted_ + kInterpolated * scale; };
+  // Knots come, by least squares alone, until E is within S; only then it is let up to S, for the
+  // sake of fairness.
   bool is_short = false;
   fit(p_);
   const bool is_polynomial = is_met();

@@ -28,6 +28,7 @@ void hold_across(const surface::LimitSurface& surface, const FairOptions& option
   if (!options.along_normals || t.kind(point) != mesh::VertexKind::kSmooth) return;
   // Cells begin at the corners of faces, in the order of half-edges.
   Vector3d normal = surface.normal(t.outgoing(point), 0.0, 0.0);
+  // Its part across the ship: with x held the point has that one direction left.
   if (options.keep_stations) normal.x() = 0.0;
   if (!(normal.norm() > kNoNormal)) return;
   for (const Vector3d& across : complement<Vector3d>({normal}, 3)) held.push_back({point, across});

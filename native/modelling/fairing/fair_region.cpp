@@ -136,6 +136,7 @@ Sparse FairRegion::Problem::mass() const {
   Triplets entries;
   for (Eigen::Index column = 0; column < form.outerSize(); ++column) {
     for (Sparse::InnerIterator it(form, column); it; ++it) {
+      // Others have no part in the basis: without them the products are small.
       if (may_move_[it.row()] && may_move_[it.col()]) {
         entries.emplace_back(it.row(), it.col(), it.value());
       }
@@ -169,6 +170,7 @@ void FairRegion::Problem::take_wishes(const std::vector<WishedSum>& wishes) {
   }
   const Sparse rows = condition_rows(sums, static_cast<int>(points_.size())) * space_.basis();
   h_ += Sparse(rows.transpose() * weights.asDiagonal() * rows);
+  // Half the gradient, as g_ is throughout.
   g_ -= rows.transpose() * weights.cwiseProduct(values);
   constant_ += values.dot(weights.cwiseProduct(values));
 }
@@ -205,6 +207,7 @@ BoundedMinimum::Result FairRegion::Problem::descend(const Eigen::VectorXd& value
                                                     const surface::Progress& progress,
                                                     Faired& faired) const {
   const Sparse weights = mass();
+  // From the shortest moves that meet the conditions.
   Result now{minimum_->shortest(values), 0.0, 0.0, false};
   double energy = energy_at(now.x), damping = kFirstDamping;
   int idle = 0;
@@ -217,6 +220,7 @@ BoundedMinimum::Result FairRegion::Problem::descend(const Eigen::VectorXd& value
     double gain = 0.0;
     for (; damping <= kMostDamping; damping *= 10.0) {
       const Sparse damped = h + damping * unit * weights;
+      // About now.x, but in x itself, which is what the bounds are of.
       Result next = minimum_->solve(damped, g - damped * now.x, values, deviation,
                                     [&](const Eigen::VectorXd& x) { return excess(x, largest); });
       const double after = energy_at(next.x);
@@ -267,6 +271,7 @@ Faired FairRegion::Problem::solve(double deviation, double largest,
   faired.largest_place = faired.largest > 0.0 ? static_cast<int>(place) : -1;
   for (int k : region_) faired.rms += places_.area(k) / area_ * far[k] * far[k];
   faired.rms = std::sqrt(faired.rms);
+  // Of two bounds the one that is just met.
   faired.bound = !found.is_bound                         ? Faired::Bound::kNothing
                  : faired.rms < deviation * (1.0 - 1e-6) ? Faired::Bound::kLargest
                                                          : Faired::Bound::kDeviation;

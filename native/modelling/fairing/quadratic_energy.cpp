@@ -46,8 +46,11 @@ QuadraticEnergy quadratic_energy(const surface::LimitSurface& surface,
                      [&](const std::vector<int>& which, const Eigen::MatrixXd& form) {
                        for (Eigen::Index i = 0; i < form.rows(); ++i) {
                          for (Eigen::Index j = 0; j < form.cols(); ++j) {
+                           // Points that stay bend the surface, too: they are in gradient and
+                           // constant.
                            sum.gradient.segment<3>(3 * which[i]) += form(i, j) * points[which[j]];
                            sum.constant += form(i, j) * points[which[i]].dot(points[which[j]]);
+                           // Entries of others would be multiplied by moves that are zero.
                            if (counts[which[i]] && counts[which[j]]) {
                              entries.emplace_back(which[i], which[j], form(i, j));
                            }

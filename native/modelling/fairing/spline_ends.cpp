@@ -16,6 +16,8 @@ constexpr int kDegreeOfSecond = 5;  // with second derivatives given
 Eigen::MatrixXd end_coefficients(const Eigen::MatrixXd& given, int degree, double to_first,
                                  double to_second) {
   Eigen::MatrixXd rows = given;
+  // With d the degree: f' = d (c1 - c0) / (k1 - k0), and f'' = d (d - 1) / (k1 - k0) times ((c2 -
+  // c1) / (k2 - k0) - (c1 - c0) / (k1 - k0)).
   if (given.rows() > 1) rows.row(1) = given.row(0) + given.row(1) * to_first / degree;
   if (given.rows() > 2) {
     const Eigen::RowVectorXd slope = (rows.row(1) - rows.row(0)) / to_first;
@@ -67,6 +69,7 @@ void SplineEnds::give(const CurveEnd& start, const CurveEnd& end, int degree,
   const auto with_straight = [](const CurveEnd& at) {
     Eigen::MatrixXd rows = at.given;
     if (at.is_straight && rows.rows() == 2) {
+      // With a place and a tangent, no curvature is one more given coefficient rather than a tie.
       rows.conservativeResize(3, Eigen::NoChange);
       rows.row(2).setZero();
     }
@@ -78,6 +81,7 @@ void SplineEnds::give(const CurveEnd& start, const CurveEnd& end, int degree,
       end_coefficients(with_straight(end), degree, knots[n - d - 2] - knots[n - d - 1],
                        knots[n - d - 3] - knots[n - d - 1]);
   given_ = Eigen::MatrixXd::Zero(count, std::max(first.cols(), last.cols()));
+  // Backwards from the end.
   for (Index row = 0; row < last.rows(); ++row) {
     given_.row(count - 1 - row) = last.row(row);
     free_of_[count - 1 - row] = -1;
@@ -118,6 +122,7 @@ Index SplineEnds::reduce(Index from, const Eigen::VectorXd& values, Eigen::Vecto
   std::size_t part_count = 0;
   Index low = -1, high = -1;
   const auto add = [&](Index coefficient, double value) {
+    // What is given goes to the right side.
     const Index number = free_of_[coefficient];
     if (number < 0) {
       right -= value * given_.row(coefficient);
@@ -132,10 +137,13 @@ Index SplineEnds::reduce(Index from, const Eigen::VectorXd& values, Eigen::Vecto
     if (tied == ties_.end()) {
       add(from + k, values[k]);
     } else {
+      // A tied one is replaced by its share of each neighbour, so that a row may begin one earlier
+      // or end one later.
       for (const auto& [other, part] : tied->from) add(other, part * values[k]);
     }
   }
   if (low < 0) return -1;
+  // Numbers of free ones rise with the coefficients, so that rows stay narrow.
   reduced = Eigen::VectorXd::Zero(high - low + 1);
   for (std::size_t i = 0; i < part_count; ++i) reduced[parts[i].first - low] += parts[i].second;
   return low;

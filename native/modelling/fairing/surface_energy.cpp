@@ -38,6 +38,7 @@ struct Forms {
     normal = normal / area;
     for (int k = 0; k < 3; ++k) h[k] = second[k].dot(normal);
     E = s.dot(s), F = s.dot(t), G = t.dot(t);
+    // From t what runs along s is taken off for e2; what is left of its length is area / √E.
     a = T(1.0) / sqrt(E);
     b = -F / (sqrt(E) * area);
     c = sqrt(E) / area;
@@ -71,6 +72,8 @@ std::array<T, 4> variation(const Forms<T>& f, const Vector3<T>* third) {
   const T sst = third[1].dot(f.normal) - turned(0, 1) - 2.0 * turned(1, 0);
   const T stt = third[2].dot(f.normal) - turned(2, 0) - 2.0 * turned(1, 1);
   const T ttt = third[3].dot(f.normal) - 3.0 * turned(2, 1);
+  // For each index 1 stands a, for each 2 the b of s and c of t; √3 for three components that are
+  // equal.
   const T &a = f.a, &b = f.b, &c = f.c;
   return {a * a * a * sss, std::sqrt(3.0) * a * a * (b * sss + c * sst),
           std::sqrt(3.0) * a * (b * b * sss + 2.0 * b * c * sst + c * c * stt),
@@ -88,6 +91,7 @@ std::array<T, 3> curvature_residuals(const Vector3<T>* derivatives, double weigh
   using std::sqrt;
   const Forms<T> forms(derivatives);
   std::array<T, 3> found = curvature(forms);
+  // The root of dA, so that squares sum to the integral.
   scale(found, T(sqrt(T(weight * forms.area))));
   return found;
 }
@@ -148,6 +152,8 @@ SurfaceEnergy::Linear differentiated(const Eigen::MatrixX3d& at, const Eigen::Ma
   std::array<Vector3<Number>, Rows> derivatives;
   for (int k = 0; k < Rows; ++k) {
     for (int axis = 0; axis < 3; ++axis) {
+      // By the few coordinates of the derivatives, whatever the piece's points: these come by the
+      // chain rule, as the derivatives are linear in them.
       derivatives[k][axis] = Number(at(k, axis), 3 * Rows, 3 * k + axis);
     }
   }
@@ -156,6 +162,7 @@ SurfaceEnergy::Linear differentiated(const Eigen::MatrixX3d& at, const Eigen::Ma
   SurfaceEnergy::Linear linear{Eigen::VectorXd(count), Eigen::MatrixXd(count, 3 * rows.cols())};
   for (Eigen::Index r = 0; r < count; ++r) {
     linear.residuals[r] = found[r].value();
+    // Column k: x, y and z of derivative k.
     const Eigen::Map<const Eigen::Matrix<double, 3, Rows>> slopes(found[r].derivatives().data());
     const Eigen::Matrix3Xd by_point = slopes * rows;
     linear.derivatives.row(r) =
@@ -200,6 +207,7 @@ double SurfaceEnergy::value(const std::vector<Vector3d>& control_points) const {
   double sum = 0.0;
   for (const EnergyPlace& place : places_) {
     const Eigen::MatrixX3d at = place.rows * points_of_piece(points_of(place), control_points);
+    // Frames divide by the area.
     if (!has_area(at)) continue;
     std::array<Vector3d, 9> derivatives;
     for (Eigen::Index k = 0; k < at.rows(); ++k) derivatives[k] = at.row(k).transpose();
@@ -234,10 +242,12 @@ SurfaceEnergy::Normal SurfaceEnergy::normal(const std::vector<Vector3d>& points,
   Eigen::MatrixXd form;
   for (std::size_t k = 0; k < places_.size(); ++k) {
     const std::vector<int>& which = points_of(places_[k]);
+    // Places of a piece follow one another: their forms are summed before they are spread.
     const bool is_first = k == 0 || places_[k].piece != places_[k - 1].piece;
     if (is_first) form.setZero(3 * which.size(), 3 * which.size());
     const Linear linear = this->linear(places_[k], points);
     if (linear.residuals.size() > 0) {
+      // Gauss's: without the residuals' own second derivatives, hence never negative.
       form.noalias() += linear.derivatives.transpose() * linear.derivatives;
       const Eigen::VectorXd slopes = linear.derivatives.transpose() * linear.residuals;
       for (std::size_t i = 0; i < which.size(); ++i) {

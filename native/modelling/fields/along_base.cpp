@@ -19,6 +19,7 @@ bool is_finite(const Vector3d& value) { return value.allFinite(); }
 template <class Value>
 std::vector<Value> spline_bends(const std::vector<double>& x, const std::vector<Value>& y) {
   const std::size_t n = x.size();
+  // The tridiagonal system by elimination, downwards and back; the ends' bends stay 0.
   std::vector<Value> bends(n, zero_of(y[0]));
   std::vector<double> middle(n, 1.0);
   for (std::size_t i = 1; i + 1 < n; ++i) {
@@ -60,10 +61,12 @@ ValueAlong<Value> AlongBase<Value>::at(double length) const {
     return {values_.front(), zero_of(values_.front())};
   }
   if (!(length < lengths_.back())) return {values_.back(), zero_of(values_.front())};
+  // Strictly between the first and the last length: there is a value on either side.
   const auto after = std::upper_bound(lengths_.begin(), lengths_.end(), length);
   const std::size_t i = static_cast<std::size_t>(after - lengths_.begin()) - 1;
   const double step = lengths_[i + 1] - lengths_[i];
   const double b = (length - lengths_[i]) / step, a = 1.0 - b, sixth = step / 6.0;
+  // Linear between the values, and two cubics that are zero at both and have the bends there.
   const Value value =
       a * values_[i] + b * values_[i + 1] +
       sixth * step * ((a * a * a - a) * bends_[i] + (b * b * b - b) * bends_[i + 1]);

@@ -24,6 +24,7 @@ Sextic squared_distance(const Arc& arc, const Vector3d& p) {
   Sextic squares{};
   for (int i = 0; i < 4; ++i) {
     for (int j = 0; j < 4; ++j) {
+      // A product of Bernstein polynomials is one of degree six, by the binomials of all three.
       squares[i + j] += kCubic[i] * kCubic[j] / kSextic[i + j] * from[i].dot(from[j]);
     }
   }
@@ -43,6 +44,7 @@ std::array<Sextic, 2> halves(Sextic c) {
 
 bool is_convex(const Sextic& c) {
   for (int i = 0; i + 2 < 7; ++i) {
+    // The second differences are the Bézier coefficients of the second derivative, up to a factor.
     if (c[i] - 2.0 * c[i + 1] + c[i + 2] < 0.0) return false;
   }
   return true;
@@ -53,6 +55,7 @@ class Search {
   Search(const Arc& arc, const Vector3d& p, double most) : arc_(arc), p_(p), best_{0.0, most} {}
 
   ArcFoot run() {
+    // Ends first: the nearer the best is known to be, the more is left out.
     try_at(0.0);
     try_at(1.0);
     look(squared_distance(arc_, p_), 0.0, 1.0);
@@ -85,6 +88,7 @@ class Search {
 
   // The one minimum of a convex stretch, by Newton's method in a bracket.
   void descend(double begin, double end) {
+    // Where its slope keeps its sign a convex function has its least at an end.
     if (slope(begin) >= 0.0) return try_at(begin);
     if (slope(end) <= 0.0) return try_at(end);
     double low = begin, high = end, t = 0.5 * (begin + end);
@@ -117,6 +121,8 @@ class Search {
 surface::CurveJet arc_jet(const Arc& arc, double t) {
   const double s = 1.0 - t;
   surface::CurveJet jet;
+  // De Casteljau: the points of the last round but one give the first derivative, those before the
+  // second.
   const Vector3d a = s * arc[0] + t * arc[1], b = s * arc[1] + t * arc[2],
                  c = s * arc[2] + t * arc[3];
   const Vector3d ab = s * a + t * b, bc = s * b + t * c;

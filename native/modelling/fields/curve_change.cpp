@@ -29,6 +29,7 @@ double common(const FieldCurve& a, const FieldCurve& b, bool from_end) {
   const auto are_one = [&](double s) { return (at(a, s) - at(b, s)).norm() <= near; };
   if (!are_one(0.0)) return 0.0;
   int steps = 0;
+  // From the beginning on, as what is in common must be without a gap.
   while (steps < kSteps && are_one(most * (steps + 1) / kSteps)) ++steps;
   if (steps == kSteps) return most;
   double low = most * steps / kSteps, high = most * (steps + 1) / kSteps;
@@ -68,6 +69,8 @@ ValueAlong<double> CurveChange::mapped(double length) const {
   if (length < begin_) return {length, 1.0};
   if (length > end_ || !(end_ > begin_)) return {length - end_ + other_end_, 1.0};
   const double x = (length - begin_) / stretch, left = 1.0 - x;
+  // What the slope is more than 1 by between: its integral over the stretch, ways up and down
+  // included, is what the other stretch is longer by.
   const double c = (other_stretch / stretch - 1.0) / (1.0 - 0.5 * (rise_ + fall_));
   double slope = c, sum = c * (x - 0.5 * rise_);
   if (x < rise_) {
@@ -81,6 +84,8 @@ ValueAlong<double> CurveChange::mapped(double length) const {
 }
 
 ValueAlong<Vector3d> CurveChange::shift(double length) const {
+  // Where a way up begins the curves are one but for rounding, which must not move anything; an end
+  // that moves itself has its shift.
   if (!(end_ > begin_) || length < begin_ || length > end_ || (length == begin_ && rise_ > 0.0) ||
       (length == end_ && fall_ > 0.0)) {
     return {Vector3d::Zero(), Vector3d::Zero()};

@@ -40,6 +40,7 @@ class PlaneBase final : public FieldBase {
   PlaneBase(const Vector3d& point, const Vector3d& normal) : point_(point), normal_(normal) {}
   BaseFoot foot_within(const Vector3d& p, bool, double) const override {
     const double height = (p - point_).dot(normal_);
+    // On the plane itself either side will do: no intensity has a slope at the base.
     return {std::abs(height), height < 0.0 ? Vector3d(-normal_) : normal_, 0.0, Vector3d::Zero()};
   }
   bool is_same(const FieldBase& other) const override {
@@ -47,6 +48,7 @@ class PlaneBase final : public FieldBase {
     return plane && plane->point_ == point_ && plane->normal_ == normal_;
   }
   bool is_in_centre_plane(double near) const override {
+    // The sine of its angle to the centre plane.
     const bool is_parallel = std::hypot(normal_.x(), normal_.z()) <= kOnCentrePlane;
     return is_parallel && std::abs(point_.y()) <= near;
   }
@@ -97,6 +99,7 @@ class RegionBase final : public FieldBase {
     const auto* region = dynamic_cast<const RegionBase*>(&other);
     if (!region || region->tree_.piece_count() != tree_.piece_count()) return false;
     for (int i = 0; i < tree_.piece_count(); ++i) {
+      // Cells and their 16 points to the bit: so a surface that was moved is another base.
       const surface::PiecePlace &own = tree_.place(i), &its = region->tree_.place(i);
       const double *points = tree_.patch(i).x[0], *others = region->tree_.patch(i).x[0];
       if (own.cell != its.cell || !std::equal(points, points + 48, others)) return false;

@@ -30,6 +30,7 @@ Intensity rim_intensity(double delta, double kappa) {
 Intensity intensity_at(const ShapeField& field, const BaseFoot& foot, Vector3d& slope) {
   const ValueAlong<double> extent = field.extent.at(foot.length),
                            kappa = field.kappa.at(foot.length);
+  // Distance, extent and kappa all go with the point: hence the three terms of the slope below.
   const double delta = foot.distance / extent.value;
   const double clamped = std::clamp(kappa.value, 0.0, 1.0);
   const Intensity found =
@@ -126,6 +127,7 @@ double reach_of(const ShapeField& field) {
 }
 
 BaseFoot foot_of(const ShapeField& field, const Vector3d& p, FieldSide side, double within) {
+  // The point is mirrored, not the base: one base serves both sides.
   const Vector3d own = is_by_image(p, side) ? Vector3d(kMirror.cwiseProduct(p)) : p;
   return field.base->foot_within(own, varies(field), within);
 }
@@ -145,9 +147,11 @@ Share share_of(const ShapeField& field, const BaseFoot& foot, const Vector3d& p,
   if (is_by_image(p, side)) {
     share.slope = kMirror.cwiseProduct(share.slope);
     share.shift = kMirror.cwiseProduct(share.shift);
+    // The image's shift at p is M s(M p): M stands on both sides of its gradient.
     share.shift_slope = kMirror.asDiagonal() * share.shift_slope * kMirror.asDiagonal();
   }
   if (side == FieldSide::kBoth) {
+    // A base that is its own image cannot leave the plane.
     share.shift.y() = 0.0;
     share.shift_slope.row(1).setZero();
   }

@@ -32,6 +32,7 @@ double polygon_length(const Arc& arc) {
 }
 
 double length_between(const Arc& arc, double begin, double end) {
+  // Made once, by whichever thread comes first.
   static const analysis::GaussRule rule = analysis::gauss_rule(16);
   const double part = (end - begin) / kParts;
   double sum = 0.0;
@@ -76,6 +77,7 @@ std::vector<Vector3d> spline_tangents(const std::vector<Vector3d>& points,
   analysis::Tridiagonal rows{std::vector<double>(n, 0.0), std::vector<double>(n, 2.0),
                              std::vector<double>(n, 0.0)};
   std::vector<Vector3d> right(n);
+  // The second derivatives of the Hermite arcs before and after a point are equal.
   for (std::size_t i = closed ? 0 : 1; i + (closed ? 0 : 1) < n; ++i) {
     const std::size_t before = (i + n - 1) % n;
     rows.below[i] = steps[i];
@@ -84,6 +86,7 @@ std::vector<Vector3d> spline_tangents(const std::vector<Vector3d>& points,
     right[i] = 3.0 * (steps[i] * chord(before) + steps[before] * chord(i));
   }
   if (closed) return rows.solve_cyclic(std::move(right));
+  // That of the first arc is zero at its beginning: 2 m0 + m1 = 3 chord; likewise at the end.
   rows.above[0] = rows.below[n - 1] = 1.0;
   right[0] = 3.0 * chord(0);
   right[n - 1] = 3.0 * chord(n - 2);
@@ -134,6 +137,7 @@ FieldCurve FieldCurve::of_spline(const surface::CubicSpline& spline) {
   const std::vector<double>& knots = spline.knots();
   std::vector<Arc> arcs;
   for (std::size_t i = 3; i + 4 < knots.size(); ++i) {
+    // A span of the spline is one cubic, which its ends and their derivatives give.
     const double step = knots[i + 1] - knots[i];
     const surface::CurveJet a = spline.evaluate(knots[i], 1), b = spline.evaluate(knots[i + 1], 1);
     // Spans at darts shrink to nothing.
@@ -163,6 +167,7 @@ FieldCurve FieldCurve::through(const std::vector<Vector3d>& points,
     return FieldCurve(std::move(arcs));
   }
   if (closed) {
+    // Once around, from the first knuckle to itself: parts go over the seam.
     ends.push_back(ends.front() + count);
   } else {
     if (ends.empty() || ends.front() != 0) ends.insert(ends.begin(), 0);
@@ -178,6 +183,7 @@ FieldCurve FieldCurve::through(const std::vector<Vector3d>& points,
 
 FieldCurve::Place FieldCurve::place_at(double length) const {
   const double wanted = std::clamp(length, 0.0, this->length());
+  // Without the first start and the end of the whole, so that any length is on an arc.
   const auto after = std::upper_bound(starts_.begin() + 1, starts_.end() - 1, wanted);
   const int arc = static_cast<int>(after - starts_.begin()) - 1;
   const double rest = wanted - starts_[arc], whole = starts_[arc + 1] - starts_[arc];
@@ -219,6 +225,7 @@ CurveFoot FieldCurve::foot(const Vector3d& p, bool with_length) const {
   Place best{0, 0.0};
   double least = std::numeric_limits<double>::infinity();
   for (const auto& [bound, arc] : order) {
+    // All that follow are farther still.
     if (bound >= least) break;
     const ArcFoot found = arc_foot(arcs_[arc], p, least);
     if (found.distance < least) {

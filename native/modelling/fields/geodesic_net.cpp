@@ -44,12 +44,16 @@ double front_at(const Vector3d& c, const Vector3d& a, double at_a, const Vector3
   // From the nearer of the two on, as differences of long ways are rounded.
   const double base = std::min(at_a, at_b);
   const Eigen::Vector2d passed(at_a - base, at_b - base), one(1.0, 1.0);
+  // A plane front with the gradient n, |n| = 1, has to_a . n = at_a - d, and the same for b, d the
+  // distance at c. In the basis of both sides: p d^2 - 2 q d + passed . inverse passed = 1, with
+  // the later of its two roots.
   const Eigen::Vector2d by_one = inverse * one;
   const double p = one.dot(by_one), q = passed.dot(by_one);
   const double root = q * q - p * (passed.dot(inverse * passed) - 1.0);
   if (!(root >= 0.0)) return along_sides;
   const double distance = (q + std::sqrt(root)) / p;
   const Eigen::Vector2d way = inverse * (passed - distance * one);
+  // Minus the gradient lies between both sides: the front came through the third one.
   const bool comes_out = way.x() < 0.0 && way.y() < 0.0;
   return comes_out ? std::min(base + distance, along_sides) : along_sides;
 }
@@ -63,6 +67,7 @@ class SurfaceBase final : public FieldBase {
     BaseFoot foot = base_->foot(p, with_length);
     const GeodesicNet::Reading marched = net_->at(distances_, p);
     const double from = kStraight * marched.spacing, to = kMarched * marched.spacing;
+    // No way along the surface is shorter than the straight one, whatever the net says.
     const double way = std::max(marched.distance, foot.distance);
     if (way <= from) return foot;
     // The share of the marched distance rises without a bend at either end.
@@ -108,6 +113,8 @@ GeodesicNet::GeodesicNet(const surface::LimitSurface& surface, bool mirrored)
     }
     for (std::size_t k = 0; k < own_quads_; ++k) {
       Quad image = quads_[k];
+      // Turned over, which means nothing here: cells, and places in them, are as those of the own
+      // side.
       for (int& corner : image) corner = images_[corner];
       quads_.push_back(image);
     }
@@ -133,7 +140,9 @@ void GeodesicNet::relax(const Quad& quad, std::vector<double>& distances,
       for (int k = j + 1; k < 4; ++k) {
         if (i == j || i == k) continue;
         const int a = quad[j], b = quad[k];
+        // A front is never earlier at c than at the first of both.
         if (distances[a] >= least && distances[b] >= least) continue;
+        // Where one of both is not known yet the way is along the side from the other.
         if (distances[a] >= kUnreached || distances[b] >= kUnreached) {
           const int known = distances[a] < distances[b] ? a : b;
           least = std::min(least, distances[known] + (points_[known] - points_[quad[i]]).norm());
@@ -171,8 +180,11 @@ std::vector<double> GeodesicNet::from(const FieldBase& base) const {
   while (!front.empty()) {
     const auto [distance, point] = front.top();
     front.pop();
+    // Reached sooner in the meantime, and queued anew then.
     if (distance > distances[point]) continue;
     changed.clear();
+    // Not only points that are still open: in obtuse triangles a front may come to a passed point
+    // once more, and sooner.
     for (int quad : quads_at_[point]) relax(quads_[quad], distances, changed);
     for (int other : changed) front.emplace(distances[other], other);
   }
@@ -190,6 +202,7 @@ GeodesicNet::Reading GeodesicNet::at(const std::vector<double>& distances,
     is_image = image.distance < foot.distance;
     if (is_image) foot = image;
   }
+  // The quadrilateral of the net in which the foot lies; in it distances are bilinear.
   const double n = per_side_;
   const int i = std::clamp(static_cast<int>(foot.u * n), 0, per_side_ - 1),
             j = std::clamp(static_cast<int>(foot.v * n), 0, per_side_ - 1);
@@ -216,6 +229,8 @@ GeodesicNet::Reading GeodesicNet::at(const std::vector<double>& distances,
   const double e = du.squaredNorm(), f = du.dot(dv), g = dv.squaredNorm();
   const double determinant = e * g - f * f;
   if (determinant > 1e-12 * e * g) {
+    // By the metric of the quadrilateral: the slope within the surface that has these slopes by u
+    // and v.
     reading.slope =
         ((g * slope_u - f * slope_v) * du + (e * slope_v - f * slope_u) * dv) / determinant;
   }

@@ -33,6 +33,7 @@ void check_all(const AlongBase<double>& along, const std::function<bool(double)>
   const std::vector<double>& at = along.lengths();
   for (std::size_t i = 0; i + 1 < at.size(); ++i) {
     for (int k = 1; k < kLooked; ++k) {
+      // The spline may overshoot between values that are good.
       const double length = at[i] + (at[i + 1] - at[i]) * k / kLooked;
       if (!is_good(along.at(length).value)) {
         throw std::invalid_argument(message + " It is not so between two of the values given.");
@@ -66,8 +67,10 @@ ShapeFields::ShapeFields(std::vector<ShapeField> fields, bool mirrored, FieldBle
     for (const Vector3d& shift : field.shift.values()) {
       if (!shift.allFinite()) throw std::invalid_argument(name + ": the shift is no number.");
     }
+    // Where the extent varies its least value decides.
     const double extent = *std::ranges::min_element(field.extent.values());
     const bool is_in_plane = mirrored && field.base->is_in_centre_plane(kOwnImage * extent);
+    // The image of a base in the plane would be there twice, and shift twice as far.
     sides_.push_back({i, is_in_plane ? FieldSide::kBoth : FieldSide::kOwn});
     if (mirrored && !is_in_plane) sides_.push_back({i, FieldSide::kImage});
   }
@@ -83,6 +86,7 @@ struct ShapeFields::Scratch {
 bool ShapeFields::may_move(const std::vector<BaseFoot>& feet) const {
   for (std::size_t i = 0; i < sides_.size(); ++i) {
     const ShapeField& field = fields_[sides_[i].field];
+    // What protects moves nothing by itself: far from all that moves the blend is not asked.
     if (field.protects) continue;
     if (feet[i].distance < reach_of(field)) return true;
   }
@@ -147,6 +151,7 @@ std::vector<FieldShift> ShapeFields::at(FieldPlaces& places) const {
   std::vector<std::shared_ptr<FieldPlaces::Feet>> own;
   for (const auto& [index, side] : sides_) {
     const ShapeField& field = fields_[index];
+    // All that is known first: what follows forgets the rest.
     own.push_back(places.found(*field.base, side, varies(field), reach_of(field)));
   }
   for (std::size_t k = 0; k < sides_.size(); ++k) {
@@ -155,6 +160,7 @@ std::vector<FieldShift> ShapeFields::at(FieldPlaces& places) const {
     const ShapeField& field = fields_[index];
     const double within = kAhead * reach_of(field);
     auto feet = std::make_shared<FieldPlaces::Feet>(
+        // The memory of a base that is no longer asked for: as a base is dragged none is allocated.
         FieldPlaces::Feet{field.base, side, varies(field), within, places.forget_all_but(own)});
     feet->feet.resize(places.points_.size());
     for_ranges(places.points_.size(), [&, which = side](std::size_t begin, std::size_t end) {

@@ -38,6 +38,7 @@ void add_sums(const std::vector<FitSum>& sums, const std::vector<Vector3d>& poin
   for (const FitSum& sum : sums) {
     const auto size = static_cast<Eigen::Index>(sum.weights.size());
     const Eigen::VectorXd weights = Eigen::VectorXd::Map(sum.weights.data(), size);
+    // Half of the square, as in all terms of the equations: the 2 of every slope is left out.
     equations.add_scalar(sum.points, weights * weights.transpose(),
                          -weights * off_rest(sum, points).transpose());
   }
@@ -86,6 +87,8 @@ class Fitting {
         bending_(bending_of_moves(surface, pieces_, options)),
         state_{surface, surface::SurfaceTree(surface), {}, {}, {}} {
     if (target.shape) shape_tree_.emplace(*target.shape);
+    // Before the first measure, so that no step is compared with a place that bounds forbid.
+    // Stiffness counts moves from the start as it was given all the same.
     if (const auto within = bounds_.moves_within(surface.mesh().points())) {
       state_.surface.set_points(moved(state_.surface, *within));
       state_.tree.refit(state_.surface);
@@ -110,6 +113,7 @@ class Fitting {
       settled = move <= options_.least_move * size_ || idle >= kIdleSteps;
     }
     surface::tell(options_.progress, 1.0, 1.0);
+    // No steps asked for: the surface is measured as it is, and nothing is left to settle.
     return report(step, settled || options_.most_steps == 0);
   }
 
@@ -136,6 +140,7 @@ class Fitting {
     if (options_.fairness > 0.0) state.energy = energy_of(state.surface);
     if (options_.stiffness > 0.0) {
       const Moves moves = moves_of(state);
+      // Σ moveᵀ · form · move of x, y and z: the trace, without the rest of the product.
       state.move_energy = moves.cwiseProduct(bending_ * moves).sum();
     }
   }
@@ -158,6 +163,7 @@ class Fitting {
   FitEquations equations() const {
     FitEquations equations(state_.surface.mesh().topology().vertex_count());
     fit_internal::add_feet(state_.feet, target_, state_.surface, pieces_, equations);
+    // A copy: the cost weighs the curves' mean square itself.
     std::vector<fit_internal::FitRow> rows = state_.curves.rows;
     for (fit_internal::FitRow& row : rows) row.weight *= options_.curve_weight;
     fit_internal::add_rows(rows, state_.surface, pieces_, equations);
@@ -176,6 +182,8 @@ class Fitting {
 
   // One step that lowers the cost: the largest move of a control point; 0 where there is none.
   double advance() {
+    // The equations stay while the damping grows; closest points are found anew for every trial, so
+    // that what is compared is the cost itself, not its model.
     const FitEquations system = equations();
     const double before = cost(state_);
     for (; damping_ <= kMostDamping; damping_ *= 10.0) {
@@ -184,16 +192,20 @@ class Fitting {
       if (!moves) continue;
       double largest = 0.0;
       for (const Vector3d& move : *moves) largest = std::max(largest, move.norm());
+      // Equations that hardly tell of some points throw these beyond the hull.
       if (!(largest < size_)) continue;
+      // The tree is copied and refitted, as sorting its boxes again costs more.
       State next{state_.surface, state_.tree, {}, {}, {}};
       next.surface.set_points(moved(state_.surface, *moves));
       next.tree.refit(next.surface);
       measure(next);
       if (cost(next) > before) {
+        // More damping would make it shorter still.
         if (largest <= options_.least_move * size_) return 0.0;
         continue;
       }
       state_ = std::move(next);
+      // Less with each success: near the end the steps are Gauss and Newton's.
       damping_ = std::max(kLeastDamping, 0.1 * damping_);
       return largest;
     }

@@ -28,6 +28,7 @@ MoveBounds::MoveBounds(const std::vector<FitBound>& bounds, const MoveSpace& spa
   }
   const ConditionRows rows = condition_rows(all, space.point_count()) * space.basis();
   for (std::size_t i = 0; i < bounds.size(); ++i) {
+    // No multiplier could meet such a row: the dual would be without bound.
     if (rows.row(static_cast<Eigen::Index>(i)).norm() <= kNoMove) continue;
     bounds_.push_back(of_length_one(bounds[i]));
     kept.push_back(all[i]);
@@ -56,6 +57,8 @@ Eigen::VectorXd MoveBounds::least(Eigen::VectorXd free, const Eigen::VectorXd& g
         kBoundRounding * std::max(y.lpNorm<Eigen::Infinity>(), gaps.lpNorm<Eigen::Infinity>());
     const auto known = static_cast<Eigen::Index>(set.size());
     for (Eigen::Index i = 0; i < missing.size(); ++i) {
+      // What has joined never leaves the set, though its multiplier may be zero: so rounds are no
+      // more than bounds. NaN joins nothing, and goes back to the caller.
       if (counts[i] || !(missing[i] > rounding)) continue;
       counts[i] = 1;
       set.push_back(i);
@@ -64,8 +67,11 @@ Eigen::VectorXd MoveBounds::least(Eigen::VectorXd free, const Eigen::VectorXd& g
     if (count == known) return y;
     Eigen::MatrixXd rows(count, y.size());
     for (Eigen::Index k = 0; k < count; ++k) rows.row(k) = rows_.row(set[k]);
+    // Only for those that joined: solving with H is what costs. Then rows · across is the Schur
+    // complement rows H⁻¹ rowsᵀ, as small as the set.
     across.conservativeResize(Eigen::NoChange, count);
     across.rightCols(count - known) = solve(rows.bottomRows(count - known).transpose());
+    // No upper bounds, and no price at which a bound may be broken.
     const Eigen::VectorXd none =
         Eigen::VectorXd::Constant(count, std::numeric_limits<double>::infinity());
     y = free + across * bounded_dual(rows * across, rows * free, {gaps(set), none, none});
@@ -77,6 +83,7 @@ std::optional<std::vector<Vector3d>> MoveBounds::moves_within(
   if (bounds_.empty()) return std::nullopt;
   const Eigen::VectorXd missing = gaps(points);
   if (!(missing.maxCoeff() > 0.0)) return std::nullopt;
+  // H is 1: as the basis is orthonormal, the shortest y is that of the shortest moves.
   const Eigen::VectorXd y = least(Eigen::VectorXd::Zero(space_.size()), missing,
                                   [](const Eigen::MatrixXd& right) { return right; });
   const Eigen::VectorXd moves = space_.basis() * y;

@@ -98,6 +98,7 @@ bool has_same_faces(const mesh::Topology& a, const mesh::Topology& b) {
     return false;
   }
   for (int h = 0; h < a.half_edge_count(); ++h) {
+    // Pieces are those of the surface that is fitted; the metric lends them its points alone.
     if (a.origin(h) != b.origin(h) || a.next(h) != b.next(h) || a.is_crease(h) != b.is_crease(h)) {
       return false;
     }

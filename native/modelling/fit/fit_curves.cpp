@@ -38,6 +38,7 @@ class Chain {
     for (std::size_t i = 1; i < samples_.size(); ++i) {
       if ((samples_[i] - p).squaredNorm() < (samples_[best] - p).squaredNorm()) best = i;
     }
+    // The foot is looked for on both sides of the nearest sample.
     const double at = static_cast<double>(best) / kSamplesAnEdge, step = 1.0 / kSamplesAnEdge;
     // A closed chain goes on beyond its seam.
     OnChain found = within(p, std::max(0.0, at - step), std::min(end(), at + step));
@@ -77,6 +78,7 @@ class Chain {
 
 surface::CellPlace place_at(const surface::CreaseCurve& curve, double t) {
   const surface::CellPlace left = curve.left(t);
+  // Beside a border is a face on one side alone.
   return left.cell >= 0 ? left : curve.right(t);
 }
 
@@ -92,12 +94,14 @@ class Collector {
 
   void add(const FitCurve& curve) {
     for (std::size_t i = 0; i < curve.points.size(); ++i) add_point(curve, i);
+    // The ends are pulled along the line too, or the chain could be shorter or longer than it.
     if (curve.whole && curve.chain >= 0) add_ends(curve);
   }
 
   CurvePulls finish() {
     double sum = 0.0;
     for (FitRow& row : pulls_.rows) {
+      // Where anything counts the weights sum to 1 or more: the 1 is for nothing at all.
       row.weight /= std::max(weight_, 1.0);
       sum += row.weight * row.distance * row.distance;
     }
@@ -115,6 +119,7 @@ class Collector {
       if (curve.chain >= 0 && static_cast<int>(k) != curve.chain) continue;
       const OnChain here = chains_[k].nearest(p);
       if (here.distance >= at.distance || here.distance > reach_) continue;
+      // Either way round: chains have no direction that a line could know.
       if (curve.chain < 0 && std::abs(chains_[k].tangent(here.t).dot(along)) < kSameCourse) {
         continue;
       }
@@ -134,6 +139,8 @@ class Collector {
     Eigen::Index least;
     tangent.cwiseAbs().minCoeff(&least);
     axis[least] = 1.0;
+    // Two rows square to the tangent: their squares sum to that of the distance from the tangent
+    // line, along which the chain may slide. The axis is the one most across it.
     const Vector3d across = tangent.cross(axis).normalized();
     add_row(chain->curve(), at.t, across, off, 1.0);
     add_row(chain->curve(), at.t, tangent.cross(across), off, 1.0);
@@ -151,6 +158,7 @@ class Collector {
     const Vector3d begin = chain.curve().evaluate(0.0, 0).point;
     const Vector3d end = chain.curve().evaluate(chain.end(), 0).point;
     const Vector3d &first = curve.points.front(), &last = curve.points.back();
+    // The line may run against the chain.
     const bool is_along = (begin - first).squaredNorm() + (end - last).squaredNorm() <=
                           (begin - last).squaredNorm() + (end - first).squaredNorm();
     const double weight = std::max(1.0, kEndShare * static_cast<double>(curve.points.size()));

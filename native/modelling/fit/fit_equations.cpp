@@ -17,6 +17,8 @@ void FitEquations::add(const std::vector<int>& points, const Eigen::MatrixXd& he
     for (std::size_t j = 0; j < points.size(); ++j) {
       if (points[i] < points[j]) continue;
       const auto column = 3 * static_cast<Eigen::Index>(j);
+      // Numbers of points need not rise: where they fall the block is the transpose of what the
+      // lower half of `hessian` has.
       block(points[i], points[j]) += row >= column
                                          ? Eigen::Matrix3d(hessian.block<3, 3>(row, column))
                                          : hessian.block<3, 3>(column, row).transpose();
@@ -43,7 +45,9 @@ Eigen::SparseMatrix<double> FitEquations::hessian() const {
     const auto row = static_cast<Eigen::Index>(3 * (key / count_)),
                column = static_cast<Eigen::Index>(3 * (key % count_));
     for (int a = 0; a < 3; ++a) {
+      // A block on the diagonal is symmetric: its lower half is enough.
       for (int b = 0; b < (row == column ? a + 1 : 3); ++b) {
+        // Each entry comes once: the order of the hash map has no say in any sum.
         lower.emplace_back(row + a, column + b, values(a, b));
       }
     }
@@ -80,6 +84,8 @@ std::optional<std::vector<Vector3d>> FitEquations::solve(const MoveSpace& space,
   Eigen::SparseMatrix<double> matrix = basis.transpose() * (hessian() * basis);
   Eigen::SparseMatrix<double> unit(matrix.rows(), matrix.cols());
   unit.setIdentity();
+  // By 1, not by the diagonal itself: a move that nothing tells of has a zero there, and is to stay
+  // at 0 rather than make the matrix singular.
   matrix += damping * matrix.diagonal().sum() / static_cast<double>(matrix.rows()) * unit;
   const Eigen::SimplicialLLT<Eigen::SparseMatrix<double>> factors(matrix);
   if (factors.info() != Eigen::Success) return std::nullopt;

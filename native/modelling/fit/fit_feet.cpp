@@ -23,6 +23,7 @@ constexpr double kAcross = 0.7;
 constexpr double kSameSide = 0.5;
 
 bool is_on_border(const mesh::Topology& cells, const surface::CellPlace& at) {
+  // In the order of the cell's half-edges, and exact: feet on an edge have its 0 or 1.
   const bool sides[] = {at.v == 0.0, at.u == 1.0, at.v == 1.0, at.u == 0.0};
   for (int k = 0; k < 4; ++k) {
     if (sides[k] && cells.twin(4 * at.cell + k) < 0) return true;
@@ -47,6 +48,8 @@ Rim rim_at(const surface::LimitSurface& surface, const surface::ClosestPoint& at
   };
   analysis::CellPlaces places =
       analysis::cell_places(surface.cells(), at.cell, Eigen::Vector2d(at.u, at.v));
+  // In an order that does not depend on the cell the foot was found in, as the first of equals is
+  // taken.
   std::ranges::sort(places, {}, &surface::CellPlace::cell);
   Rim rim;
   double most = -std::numeric_limits<double>::infinity();
@@ -80,6 +83,8 @@ Foot foot_of(const surface::LimitSurface& surface, const surface::ClosestPoint& 
     // Across the surface only, so that the border is not drawn out by and by.
     return std::abs(foot.distance) > kAcross * at.distance ? foot : Foot{};
   }
+  // The whole of p - foot, not its part across the surface alone; direction times distance is p -
+  // foot for either sign.
   const double sign = foot.distance < 0.0 ? -1.0 : 1.0;
   foot.direction = sign * off / at.distance;
   foot.distance = sign * at.distance;
@@ -107,6 +112,8 @@ Feet find_feet(const surface::LimitSurface& surface, const surface::SurfaceTree&
         }
       },
       512);
+  // By one thread in the targets' order, so that sums are the same however many threads found the
+  // feet.
   double sum = 0.0;
   for (std::size_t i = 0; i < feet.all.size(); ++i) {
     if (feet.all[i].cell < 0) continue;

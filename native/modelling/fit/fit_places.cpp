@@ -29,6 +29,7 @@ std::vector<SeenPlace> places_of(const surface::LimitSurface& surface) {
     for (double u : kThirds) {
       for (double v : kThirds) {
         const surface::SurfaceJet jet = surface.evaluate(cell, u, v, 1);
+        // The midpoint rule in each third: du and dv are those of the whole cell.
         places.push_back({cell, u, v, jet.point, jet.du.cross(jet.dv).norm() / kPerCell});
       }
     }
@@ -47,6 +48,8 @@ PlacePulls find_place_pulls(const surface::LimitSurface& surface,
     const SeenPlace& place = places[i];
     const Vector3d off = foot.point - place.point;
     FitRow row{place.cell, place.u, place.v, Vector3d::Zero(), 0.0, place.area};
+    // Only across the shape, so that places may slide along it. On borders and creases there is no
+    // one plane, and at a cone tip no normal.
     if (foot.kind == surface::FootKind::kSmooth) {
       row.direction = shape.normal(foot.cell, foot.u, foot.v);
     }
@@ -54,6 +57,7 @@ PlacePulls find_place_pulls(const surface::LimitSurface& surface,
       row.direction = off / foot.distance;
     }
     row.distance = row.direction.dot(off);
+    // By the place's index: the order of rows, and so of sums, is not that of the threads.
     pulls.rows[i] = row;
   };
   surface::parallel_for(

@@ -20,6 +20,7 @@ void fill_row(const FitRow& row, const Eigen::VectorXd& weights, Eigen::MatrixXd
 void add_products(const std::vector<int>& points, const Eigen::MatrixXd& matrix,
                   const Eigen::VectorXd& right, FitEquations& equations) {
   Eigen::MatrixXd hessian = Eigen::MatrixXd::Zero(matrix.cols(), matrix.cols());
+  // The lower half alone: the equations take no more.
   hessian.selfadjointView<Eigen::Lower>().rankUpdate(matrix.transpose());
   equations.add(points, hessian, matrix.transpose() * right);
 }
@@ -27,6 +28,7 @@ void add_products(const std::vector<int>& points, const Eigen::MatrixXd& matrix,
 void add_deep_row(const FitRow& row, surface::PointWeights& weights, FitEquations& equations) {
   std::vector<int> points;
   std::vector<double> values;
+  // In the squares at irregular knots that pieces leave out.
   for (const surface::PointWeight& w : weights.at(row.cell, row.u, row.v)) {
     points.push_back(w.point);
     values.push_back(w.weight);
@@ -46,6 +48,8 @@ void add_rows(const std::vector<FitRow>& rows, const surface::LimitSurface& surf
   std::vector<std::vector<std::pair<const FitRow*, surface::PieceWeights::Place>>> by_piece(
       pieces.piece_count());
   for (const FitRow& row : rows) {
+    // Rows of one piece have the same points: by pieces their squares are one dense product, and
+    // each block of the equations is looked up once for all of them.
     if (const auto place = pieces.find(row.cell, row.u, row.v)) {
       by_piece[place->piece].emplace_back(&row, *place);
     } else {

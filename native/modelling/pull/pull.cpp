@@ -97,12 +97,15 @@ Solution least_moves(const Sparse& weights, const Sparse& directions, const Eige
   const Sparse by_direction = weights * directions;
   std::vector<Eigen::Index> used;
   for (Eigen::Index k = 0; k < by_direction.cols(); ++k) {
+    // Those that move no place are zero in the shortest sum, and would only make the matrix large.
     if (by_direction.col(k).nonZeros() > 0) used.push_back(k);
   }
   Eigen::MatrixXd A(r.size(), static_cast<Eigen::Index>(used.size()));
   for (std::size_t k = 0; k < used.size(); ++k) {
     A.col(static_cast<Eigen::Index>(k)) = by_direction.col(used[k]);
   }
+  // The directions of a MoveSpace are orthonormal, so that the shortest x is that of the shortest
+  // moves; with a radius there are no more directions than equations.
   const Eigen::VectorXd x = least_norm(A, r);
   Eigen::VectorXd all = Eigen::VectorXd::Zero(directions.cols());
   all(used) = x;
@@ -127,6 +130,8 @@ Sparse following_moves(const surface::LimitSurface& surface, const std::vector<P
   }
   Sparse moves(space.basis().rows(), 3 * static_cast<Eigen::Index>(targets.size()));
   moves.setFromTriplets(entries.begin(), entries.end());
+  // Each follows as it may alone; what ties and kept sums make of that is the projection into the
+  // space.
   return space.basis() * (space.basis().transpose() * moves);
 }
 
@@ -143,6 +148,7 @@ Pull pull(const surface::LimitSurface& surface, const std::vector<PullTarget>& t
   for (std::size_t i = 0; i < targets.size(); ++i) {
     const PullTarget& t = targets[i];
     rows.push_back(weights.at(t.cell, t.u, t.v));
+    // The surface is linear in its points: this is what the moves are to add up to.
     const Vector3d pulled = t.point - surface.position(t.cell, t.u, t.v);
     r.segment<3>(3 * static_cast<Eigen::Index>(i)) = pulled;
     longest = std::max(longest, pulled.norm());
@@ -157,6 +163,8 @@ Pull pull(const surface::LimitSurface& surface, const std::vector<PullTarget>& t
   Pull result{{}, {}, 0.0, 0.0};
   for (std::size_t i = 0; i < targets.size(); ++i) {
     const double miss = solution.left.segment<3>(3 * static_cast<Eigen::Index>(i)).norm();
+    // Of the longest pull: where places are pulled by very different ways the short one is met to
+    // the rounding of the long one.
     if (miss > kMiss * longest) throw_unreachable(i, miss);
     result.miss = std::max(result.miss, miss);
   }

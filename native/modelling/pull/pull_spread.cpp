@@ -43,6 +43,7 @@ Region region_around(const surface::LimitSurface& surface,
   std::vector<std::vector<int>> neighbours(topology.vertex_count());
   for (int h = 0; h < topology.half_edge_count(); ++h) {
     const int from = topology.origin(h), to = topology.origin(topology.next(h));
+    // Of an inner edge the other half-edge tells the other way.
     if (is_near(from)) neighbours[from].push_back(to);
     // A border's edge has no other half-edge that would say so.
     if (topology.twin(h) < 0 && is_near(to)) neighbours[to].push_back(from);
@@ -56,6 +57,8 @@ Region region_around(const surface::LimitSurface& surface,
     if (freedoms[point].count > 0) region.points.push_back(point);
   };
   for (const surface::PointWeight& w : weights) see(w.point);
+  // Breadth first: the list grows while it is gone through. Locked points are seen, as they hold
+  // their surroundings, but nothing goes on from them.
   for (std::size_t i = 0; i < region.points.size(); ++i) {
     for (int neighbour : neighbours[region.points[i]]) {
       if (freedoms[neighbour].count == 0 || is_near(neighbour)) see(neighbour);
@@ -79,6 +82,8 @@ std::vector<Hold> holds_of(const Region& region, const std::vector<Vector3d>& po
   for (int point : region.held) {
     const double reach = (points[point] - place).norm();
     const double weight = 1.0 - std::pow(reach / radius, 2);
+    // A point at the place itself is what is pulled: it holds nothing but what it may not do
+    // anyway.
     if (reach == 0.0 || weight <= 0.0) continue;
     holds.push_back(
         {points[point], reach, weight, Matrix3d::Identity() - projection(freedoms[point])});
@@ -94,9 +99,12 @@ Matrix3d fading(const Vector3d& at, const std::vector<Hold>& holds) {
   for (const Hold& hold : holds) {
     const double t = (at - hold.point).norm() / hold.reach;
     if (t >= 1.0) continue;
+    // Level at both ends, so that the stiffness ends at t = 1 without a bend; 1 / risen is infinite
+    // at the held point.
     const double risen = t * t * (3.0 - 2.0 * t);
     const double stiffness =
         std::min(kStiff, hold.weight * (1.0 - risen) / std::max(risen, 1.0 / kStiff));
+    // A mean weighted by the stiffnesses themselves: their squares over their sum.
     squares += stiffness * stiffness * hold.across;
     sum += stiffness;
   }
@@ -142,6 +150,8 @@ Following following(const surface::LimitSurface& surface,
     }
     const auto own = weight_of.find(point);
     const double share = own == weight_of.end() ? 0.0 : own->second / largest;
+    // From both sides: neither may a pull along what is held move the point, nor may the point
+    // leave it.
     const Matrix3d faded = onto * fading(at, holds) * onto;
     result[point] = faded * both.asDiagonal() + (1.0 - nearest) * share * onto;
   }

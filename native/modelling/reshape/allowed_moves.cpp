@@ -30,6 +30,7 @@ Eigen::MatrixXd basis_rows(const MoveSpace& space, const std::vector<int>& point
   for (std::size_t i = 0; i < 3 * points.size(); ++i) {
     const Eigen::Index row = 3 * points[i / 3] + static_cast<Eigen::Index>(i % 3);
     for (decltype(basis)::InnerIterator it(basis, row); it; ++it) {
+      // Numbered as they are met: other columns move none of these points.
       const auto own = column.emplace(it.col(), static_cast<Eigen::Index>(column.size())).first;
       entries.emplace_back(static_cast<int>(i), static_cast<int>(own->second), it.value());
     }
@@ -52,6 +53,7 @@ std::vector<Vector3d> allowed_moves(const MoveSpace& space, const std::vector<in
   for (std::size_t i = 0; i < moves.size(); ++i) {
     wanted.segment<3>(3 * static_cast<Eigen::Index>(i)) = moves[i];
   }
+  // The projection on what the rows span: of dependent columns any solution makes the same moves.
   const Eigen::VectorXd found = rows * mesh::least_norm_solution(rows, wanted);
   for (std::size_t i = 0; i < result.size(); ++i) {
     result[i] = found.segment<3>(3 * static_cast<Eigen::Index>(i));

@@ -54,6 +54,7 @@ Eigen::MatrixXd weights_of(const surface::LimitSurface& surface, const surface::
     if (place.cell < 0) place = curve.right(t[k]);
     for (const surface::PointWeight& w : weights.at(place.cell, place.u, place.v)) {
       const auto own = column.find(w.point);
+      // Others have weights of rounding at most: a crease without darts is of its own points alone.
       if (own != column.end()) rows(k, own->second) += w.weight;
     }
   }
@@ -75,18 +76,23 @@ CreaseMoves crease_moves(const surface::LimitSurface& surface, const surface::Cr
   for (Eigen::Index k = 0; k < rows.rows() && !curve.closed(); ++k) {
     const bool is_first = t[k] == 0.0, is_last = t[k] == curve.edge_count();
     if (!is_first && !is_last) continue;
+    // The curve ends in its control point, which so moves by the whole shift, whatever the rest of
+    // the curve would rather have.
     const Eigen::Index end = is_first ? 0 : rows.cols() - 1;
     moves.row(end) = wanted.row(k);
     free.col(end).setZero();
   }
   for (Eigen::Index i = 0; i < moves.rows(); ++i) {
+    // After the ends: what stays does so whatever is wanted of an end.
     if (std::ranges::find(staying, curve.vertices()[i]) == staying.end()) continue;
     moves.row(i).setZero();
     free.col(i).setZero();
   }
   const Eigen::MatrixX3d left = wanted - rows * moves;
+  // x, y and z have the same matrix.
   const Eigen::MatrixX3d rest = mesh::least_norm_solutions(free, left);
   for (Eigen::Index i = 0; i < moves.rows(); ++i) {
+    // Those that are told, and those that no t depends on, stay as they are to the bit.
     if (!free.col(i).isZero(0.0)) moves.row(i) += rest.row(i);
   }
   Eigen::Index farthest = 0;

@@ -26,6 +26,7 @@ Eigen::SparseMatrix<double> thin_plate_form(const surface::LimitSurface& surface
       form.noalias() += rows.transpose() * half;
     };
     const int kind = squares.kind(square), index = squares.index(square);
+    // A leaf is one piece; those of a corner are in the order of square_pieces().
     if (!squares.kinds()[kind].basis) return add(surface.leaf(index), pieces[kind].front());
     for (std::size_t k = 0; k < pieces[kind].size(); ++k) {
       add(surface.corner(index).segments[k], pieces[kind][k]);

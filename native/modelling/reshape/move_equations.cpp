@@ -23,6 +23,7 @@ std::array<std::vector<int>, 3> columns_by_axes(const Matrix& basis) {
   for (int column = 0; column < basis.cols(); ++column) {
     const auto first = Matrix::InnerIterator(basis, column).row() % 3;
     for (Matrix::InnerIterator it(basis, column); it; ++it) {
+      // One column along two axes makes one system of both, for all columns.
       axes.join(static_cast<int>(first), static_cast<int>(it.row() % 3));
     }
   }
@@ -69,6 +70,8 @@ MoveEquations::MoveEquations(const MoveSpace& space, const Matrix& form) {
     const Matrix basis = part_of(space.basis(), columns);
     std::shared_ptr<const Factors> factors;
     for (std::size_t i = 0; i < parts_.size(); ++i) {
+      // Without limits, or with the same ones along each axis, the parts' bases are equal to the
+      // bit.
       if (is_same(bases[i], basis)) factors = parts_[i].factors;
     }
     if (!factors) {

@@ -88,6 +88,7 @@ class MoveSpace::Builder {
     }
     for (std::size_t i = 0; i < limits.prescribed.size(); ++i) {
       for (int axis = 0; axis < 3; ++axis) {
+        // All three axes, so that the point is told and nothing of it is left in the basis.
         add_row({{limits.prescribed[i]}, {Vector3d::Unit(axis)}}, 3 * static_cast<int>(i) + axis);
       }
     }
@@ -104,9 +105,11 @@ class MoveSpace::Builder {
     for (std::size_t i = 0; i < rows_.size(); ++i) {
       own_rows[groups_.find(rows_[i].front().first)].push_back(static_cast<int>(i));
     }
+    // By rising number, so that columns have the same order from run to run.
     for (const auto& [group, coordinates] : members) {
       const auto own = own_rows.find(group);
       if (own == own_rows.end()) {
+        // Nothing is asked of it, and so it is alone in its group.
         entries_.emplace_back(coordinates.front(), columns_++, 1.0);
       } else {
         add_group(coordinates, own->second);
@@ -130,6 +133,8 @@ class MoveSpace::Builder {
         }
       }
     }
+    // Nothing but zeros is no limit; a slope of zero would join coordinates that have nothing to do
+    // with one another.
     if (row.empty()) return;
     for (const auto& [coordinate, slope] : row) groups_.join(row.front().first, coordinate);
     rows_.push_back(std::move(row));
@@ -145,17 +150,21 @@ class MoveSpace::Builder {
     for (int index : own_rows) {
       const auto i = static_cast<Eigen::Index>(rows.size());
       for (const auto& [coordinate, slope] : rows_[index]) {
+        // Coordinates rise, as they were collected. A row may name one twice: its slopes add up.
         matrix(i, std::ranges::lower_bound(coordinates, coordinate) - coordinates.begin()) += slope;
       }
       rows.emplace_back(matrix.row(i).transpose());
       told.push_back(told_[index]);
     }
+    // Rows of prescribed points are among these: the basis leaves them where particular() puts
+    // them. Dense, as groups mostly are small: a point and its ties, or a stretch of a keel.
     for (const Eigen::VectorXd& free : complement(rows, size)) {
       for (Eigen::Index i = 0; i < size; ++i) {
         if (free[i] != 0.0) entries_.emplace_back(coordinates[i], columns_, free[i]);
       }
       ++columns_;
     }
+    // Where nothing is told the shortest move is none.
     if (std::ranges::all_of(told, [](int c) { return c < 0; })) return;
     Eigen::MatrixXd inverse = mesh::pseudo_inverse(matrix);
     space_.told_groups_.push_back({coordinates, std::move(matrix), told, std::move(inverse)});
@@ -192,6 +201,8 @@ Eigen::VectorXd MoveSpace::particular(const std::vector<Vector3d>& prescribed) c
       told = c / 3;
     }
     const Eigen::VectorXd x = group.inverse * values;
+    // The pseudo-inverse answers in any case; that rows contradict one another only their residual
+    // tells.
     const double left = (group.rows * x - values).cwiseAbs().maxCoeff();
     if (!(left <= kMet * values.cwiseAbs().maxCoeff())) {
       throw std::invalid_argument("Point " + std::to_string(prescribed_[told]) +

@@ -96,6 +96,8 @@ class PlaceWeights::Builder {
     }
     for (int square = 0; square < squares.count(); ++square) {
       const KindRows& rows = places_.kind_of(square);
+      // Places are numbered as they come: square after square, in each ring after ring, the knot
+      // last.
       places_.first_.push_back(places_.count());
       places_.cells_.insert(places_.cells_.end(), rows.shares.size(), squares.cell(square));
       places_.shares_.insert(places_.shares_.end(), rows.shares.begin(), rows.shares.end());
@@ -114,6 +116,7 @@ class PlaceWeights::Builder {
     const auto count = per_piece * static_cast<Eigen::Index>(pieces.size());
     KindRows rows;
     for (int k = 0; k < 3; ++k) {
+      // A corner has one place more, its knot, where derivatives stay zero.
       rows.rows[k].setZero(kind.basis ? count + 1 : count, kind.point_count());
       for (std::size_t i = 0; i < pieces.size(); ++i) {
         rows.rows[k].middleRows(static_cast<Eigen::Index>(i) * per_piece, per_piece) =
@@ -135,6 +138,7 @@ class PlaceWeights::Builder {
     Eigen::MatrixXd square = basis.matrix();
     for (int ring = 1; ring < surface::kPlainRings; ++ring) square = basis.matrix() * square;
     const Eigen::MatrixXd& left = basis.spectrum().left;
+    // From the first point on, as weights of a small square are nearly those of its knot.
     const Eigen::MatrixXd around = square.topRows(left.rows()).rowwise() - square.row(0);
     return square.row(0) + left.col(0).transpose() * around;
   }
@@ -149,6 +153,7 @@ PlaceWeights::PlaceWeights(const surface::LimitSurface& surface, int per_side)
 }
 
 bool PlaceWeights::fit(const surface::LimitSurface& surface) const {
+  // Copies of a surface share their layout: mostly nothing needs to be compared.
   if (surface.shared_layout() == layout_) return true;
   return surface.scheme() == layout_->scheme() &&
          is_same(surface.mesh().topology(), mesh_.topology());
@@ -157,6 +162,8 @@ bool PlaceWeights::fit(const surface::LimitSurface& surface) const {
 template <std::size_t kAsked, int kColumns>
 std::array<NumberRows<kColumns>, kAsked> PlaceWeights::applied(
     const NumberRows<kColumns>& control, const std::array<int, kAsked>& asked) const {
+  // Two products instead of one with the weights multiplied out: control points to the refined
+  // points, which squares share, and these to places.
   const NumberRows<kColumns> refined = squares().weights() * control;
   std::array<NumberRows<kColumns>, kAsked> results;
   for (NumberRows<kColumns>& result : results) result.resize(count(), kColumns);
@@ -171,6 +178,7 @@ std::array<NumberRows<kColumns>, kAsked> PlaceWeights::applied(
         }
       }
       for (std::size_t one = 0; one < kAsked; ++one) {
+        // Points are gathered once for all that is asked of them.
         places.noalias() = kinds_[k].rows[asked[one]] * points;
         for (std::size_t b = 0; b < batch.size(); ++b) {
           for (Eigen::Index i = 0; i < places.rows(); ++i) {
@@ -185,6 +193,8 @@ std::array<NumberRows<kColumns>, kAsked> PlaceWeights::applied(
 
 template <int kColumns>
 NumberRows<kColumns> PlaceWeights::taken_back(const NumberRows<kColumns>& by_places) const {
+  // The same products transposed, the last first. Squares add to points that they share: one after
+  // another, in an order that is always the same.
   NumberRows<kColumns> refined =
       NumberRows<kColumns>::Zero(squares().weights().rows(), Eigen::Index{kColumns});
   for (std::size_t k = 0; k < kinds_.size(); ++k) {
@@ -209,6 +219,7 @@ NumberRows<kColumns> PlaceWeights::taken_back(const NumberRows<kColumns>& by_pla
   return squares().weights().transpose() * refined;
 }
 
+// All that the header's functions ask for.
 template std::array<VectorRows, 1> PlaceWeights::applied(const VectorRows&,
                                                          const std::array<int, 1>&) const;
 template std::array<VectorRows, 2> PlaceWeights::applied(const VectorRows&,
@@ -243,6 +254,7 @@ PlaceWeights::SquareRows PlaceWeights::rows(int square) const {
   Eigen::Index i = 0;
   for (int point : squares().points(square)) {
     for (surface::WeightRows::InnerIterator w(weights, point); w; ++w) {
+      // Several of the square's points may have a control point in common.
       const auto column = std::ranges::lower_bound(result.points, w.col()) - result.points.begin();
       result.rows.col(column) += w.value() * by_own.col(i);
     }

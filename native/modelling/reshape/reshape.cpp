@@ -82,6 +82,8 @@ void Reshape::add_stiffness(const surface::LimitSurface& surface, double stiffne
 
 void Reshape::factor_conditions() {
   const Eigen::MatrixXd free = Eigen::MatrixXd(conditions_ * space_.basis());
+  // By their length over all points: what is left of a condition on points that hardly move is
+  // short then, and is told as dependent.
   const Eigen::VectorXd full = Eigen::MatrixXd(conditions_).rowwise().norm();
   Eigen::MatrixXd unit = free;
   for (Eigen::Index i = 0; i < free.rows(); ++i) unit.row(i) /= full[i] > 0.0 ? full[i] : 1.0;
@@ -89,6 +91,7 @@ void Reshape::factor_conditions() {
     throw std::invalid_argument(
         "The conditions depend on one another, or on points that may not move: leave some out.");
   }
+  // The Schur complement of the conditions: as many rows as there are conditions.
   conditioned_.resize(free.cols(), free.rows());
   for (Eigen::Index i = 0; i < free.rows(); ++i) {
     conditioned_.col(i) = equations_.solve(free.row(i).transpose());
@@ -107,14 +110,17 @@ Eigen::VectorXd Reshape::descent(const Eigen::VectorXd& moves, const VectorRows&
   }
   VectorRows back = places_.weights()->back(left);
   if (stiff_.nonZeros() > 0) back -= stiff_ * now;
+  // Row by row, that is x, y and z of each point, as moves are.
   return space_.basis().transpose() * back.reshaped<Eigen::RowMajor>();
 }
 
 Eigen::VectorXd Reshape::descent_along(int axis, const Eigen::VectorXd& moves,
                                        const VectorRows& shifts) const {
+  // Every third number: the axis of all points.
   const auto own = Eigen::seqN(Eigen::Index{axis}, as_rows(moves).rows(), 3);
   const Eigen::VectorXd now = moves(own);
   Eigen::VectorXd left = shifts.col(axis);
+  // The first step mostly starts from no moves at all.
   if (!now.isZero(0.0)) left -= places_.weights()->numbers_at(now);
   left.array() *= shares_.array();
   Eigen::VectorXd back = Eigen::VectorXd::Zero(moves.size());
@@ -127,6 +133,8 @@ Eigen::VectorXd Reshape::step(const Eigen::VectorXd& descent,
                               const Eigen::VectorXd& missing) const {
   Eigen::VectorXd step = equations_.solve(descent);
   if (conditions_.rows() == 0) return step;
+  // The free step first; then along the columns of conditioned_, the way that costs least, to what
+  // the conditions miss.
   const Eigen::VectorXd met = conditions_ * (space_.basis() * step);
   return step + conditioned_ * condition_factors_.solve(missing - met);
 }
@@ -143,6 +151,8 @@ Eigen::VectorXd Reshape::least(const VectorRows& shifts, const std::vector<Vecto
   }
   double before = std::numeric_limits<double>::infinity();
   for (int k = 0; k < kMostSteps && space_.size() > 0; ++k) {
+    // Refinement: right sides are those of the moves as they are, so that the next step takes away
+    // what rounding and regularisation left.
     const Eigen::VectorXd missing = wished - conditions_ * moves;
     const Eigen::VectorXd more = space_.basis() * step(descent(moves, shifts), missing);
     const double length = more.cwiseAbs().maxCoeff();

@@ -12,6 +12,7 @@ std::vector<Eigen::MatrixXd> square_pieces(const surface::SurfaceSquares::Kind& 
     for (const surface::RingSegment& segment : kind.basis->segments()) {
       pieces.push_back(segment.rows * square);
     }
+    // The points of the square that is half as large, once subdivided, by those of the first.
     square = kind.basis->matrix() * square;
   }
   return pieces;

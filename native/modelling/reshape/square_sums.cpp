@@ -74,6 +74,7 @@ class Finder {
 
   // The next half-edge along the border, or the one before.
   int following(int h) const {
+    // Around the point, face by face, to the half-edge that has no face beyond.
     int next = t_.next(h);
     while (t_.twin(next) >= 0) next = t_.next(t_.twin(next));
     return next;
@@ -98,6 +99,8 @@ class Finder {
       double end = 1.0;
       for (int ring = 0; ring < surface::kPlainRings; ++ring, end *= 0.5) {
         for (int k = 0; k < kPlaces; ++k) {
+          // Of a cell's side, from the knot that the half's cell has at (0, 0): the ring is between
+          // half of `end` and `end`. Regular cells are one piece, with more places than it needs.
           const double along = 0.5 * end * (1.0 + (k + 0.5) / kPlaces);
           const auto place =
               half == 0 ? pieces_->find(h, along, 0.0) : pieces_->find(t_.next(h), 0.0, along);
@@ -126,6 +129,7 @@ class Finder {
     if (normal.isZero(0.0) || std::abs(normal.y()) > kSquare) return std::nullopt;
     const Eigen::Matrix2d level{{slopes(0, 0), slopes(0, 1)}, {slopes(2, 0), slopes(2, 1)}};
     const Eigen::JacobiSVD<Eigen::Matrix2d> svd(level, Eigen::ComputeFullV);
+    // The direction in which x and z change least: the singular value 0, but for rounding.
     const Eigen::Vector2d across = svd.matrixV().col(1);
     Row row;
     double whole = 0.0;
@@ -133,12 +137,16 @@ class Finder {
       const auto i = static_cast<Eigen::Index>(k);
       const double weight = across[0] * jet.ds[i] + across[1] * jet.dt[i];
       const auto tied = leader_.find(points[k]);
+      // A tied point moves along x and z as its leader: in the sums they are one.
       row[tied == leader_.end() ? points[k] : tied->second] += weight;
       whole = std::max(whole, std::abs(weight));
     }
+    // Where ties say all the weights of a point and its leader cancel: nothing is left but
+    // rounding.
     std::erase_if(row, [&](const auto& entry) { return std::abs(entry.second) < 1e-13 * whole; });
     double squares = 0.0;
     for (const auto& [point, weight] : row) squares += weight * weight;
+    // Of unit length, as what counts as rounding is told by that.
     for (auto& [point, weight] : row) weight /= std::sqrt(squares);
     return row;
   }
@@ -167,6 +175,7 @@ class Finder {
     for (Eigen::Index i = 0; i < matrix.cols(); ++i) {
       for (const auto& [point, weight] : *rows[i]) matrix(column.at(point), i) = weight;
     }
+    // Rows as columns: the first columns of Q span them, orthonormal, as far as the rank goes.
     Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(matrix);
     qr.setThreshold(kFollows);
     const Eigen::MatrixXd spanning =

@@ -34,6 +34,7 @@ std::vector<TiedPoint> square_ties(const surface::LimitSurface& surface) {
     const int leader = t.origin(h), point = t.origin(t.next(inwards));
     const Vector3d step = points[point] - points[leader];
     if (std::abs(step.x()) > near || std::abs(step.z()) > near) continue;
+    // Not along y: across the plane the neighbour is free.
     ties.push_back({point, leader, Vector3d::UnitX()});
     ties.push_back({point, leader, Vector3d::UnitZ()});
   }

@@ -52,6 +52,7 @@ void SurfacePlaces::measure(const std::vector<Vector3d>& points) {
     const bool has_normal = across.norm() > kNoArea * along.norm() * other.norm();
     positions_.emplace_back(at.row(k).transpose());
     normals_.push_back(has_normal ? Vector3d(across.normalized()) : Vector3d::Zero());
+    // Of knots 0, for the moment.
     areas_.push_back(weights_->share(k) * across.norm());
   }
   for (const PlaceWeights::Knot& knot : weights_->knots()) {
@@ -59,6 +60,7 @@ void SurfacePlaces::measure(const std::vector<Vector3d>& points) {
     const double area = std::accumulate(begin, end, 0.0);
     const double before = std::accumulate(begin - knot.per_ring, begin, 0.0);
     const double decay = before > 0.0 ? std::min(area / before, kSlowestDecay) : 0.0;
+    // The tail of the series: area * (decay + decay^2 + ...).
     *end = area * decay / (1.0 - decay);
   }
   total_area_ = std::accumulate(areas_.begin(), areas_.end(), 0.0);
@@ -73,6 +75,7 @@ std::vector<int> SurfacePlaces::folds(const std::vector<Vector3d>& control_point
   const auto [s, t] = weights_->along(rows_of(control_points));
   std::vector<int> found;
   for (int k = 0; k < count(); ++k) {
+    // Knots, and places without area: there is no normal that could be turned over.
     if (normals_[k].isZero(0.0)) continue;
     const Vector3d across = s.row(k).transpose().cross(Vector3d(t.row(k).transpose()));
     if (!(across.dot(normals_[k]) > 0.0)) found.push_back(k);

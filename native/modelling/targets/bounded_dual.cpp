@@ -34,6 +34,8 @@ BoxProblem box_problem(const Eigen::MatrixXd& S, const Eigen::VectorXd& start,
   };
   for (Eigen::Index i = 0; i < start.size(); ++i) {
     const double most = bounds.most[i];
+    // A value is one row with a multiplier of either sign; each finite side of a range is a row of
+    // its own, whose multiplier has one sign.
     if (bounds.low[i] == bounds.high[i]) {
       add(i, bounds.low[i], -most, most);
       continue;
@@ -62,6 +64,8 @@ class BoxSolver {
 
   const Eigen::VectorXd& solve() {
     const auto n = static_cast<int>(x_.size());
+    // The function falls from round to round, so that no set of free rows comes twice; the most
+    // rounds are for what rounding may do.
     for (int round = 0; round < kMostRoundsPerRow * (n + 1); ++round) {
       const int entering = worst();
       if (entering < 0) break;
@@ -85,6 +89,8 @@ class BoxSolver {
       if (x_[i] < box_.high[i]) gain = std::max(gain, -slope[i]);
       if (x_[i] > box_.low[i]) gain = std::max(gain, slope[i]);
       if (gain <= kRounding * terms) continue;
+      // Alone, the row would gain slope² / (2 A_ii): the root of that ranks rows whatever their
+      // units.
       gain /= std::sqrt(std::max(box_.A(i, i), 1e-300));
       if (gain > most) {
         most = gain;
@@ -105,6 +111,7 @@ class BoxSolver {
       const auto n = static_cast<Eigen::Index>(set.size());
       Eigen::MatrixXd A(n, n);
       Eigen::VectorXd slope(n);
+      // Rows at bounds have their say in the slope, but do not move.
       const Eigen::VectorXd all = box_.A * x_ + box_.b;
       for (Eigen::Index i = 0; i < n; ++i) {
         slope[i] = all[set[i]];
@@ -117,6 +124,7 @@ class BoxSolver {
         const int row = set[i];
         const double bound = step[i] > 0.0 ? box_.high[row] : box_.low[row];
         const double way = bound - x_[row];
+        // As a product: an infinite bound, or one far beyond a tiny step, divides nothing.
         if (step[i] != 0.0 && std::abs(step[i]) * share > std::abs(way)) {
           share = way / step[i];
           stops = row;
@@ -126,6 +134,7 @@ class BoxSolver {
       if (stops < 0) return;
       const auto nearer =
           std::abs(x_[stops] - box_.low[stops]) < std::abs(x_[stops] - box_.high[stops]);
+      // To the bit, so that the row is at its bound when others are weighed.
       x_[stops] = nearer ? box_.low[stops] : box_.high[stops];
       free_[stops] = 0;
     }

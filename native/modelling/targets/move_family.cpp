@@ -59,11 +59,14 @@ MoveFamily::MoveFamily(const surface::LimitSurface& surface, const ReshapeLimits
     form += thin_plate_form(surface, places_.weights()->forms(),
                             std::pow(stiffness * surface.mesh().size(), 2));
   }
+  // A move costs the same along x, y and z; only the basis tells these apart.
   form_ = basis_.transpose() * (for_all_axes(form) * basis_);
+  // Dimensions may be free, even so.
   if (size() == 0) return;
   const double mean = form_.diagonal().sum() / static_cast<double>(size());
   Sparse identity(size(), size());
   identity.setIdentity();
+  // Kept in the form: what is told as the cost is what is made least.
   form_ += kEnergyRegularisation * mean * identity;
   factors_.compute(form_);
   if (factors_.info() != Eigen::Success) {

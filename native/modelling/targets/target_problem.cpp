@@ -63,6 +63,7 @@ void TargetProblem::place(const HullChange& change) {
   std::vector<Vector3d> points = start_;
   for (std::size_t i = 0; i < points.size(); ++i) {
     points[i] += moves.segment<3>(3 * static_cast<Eigen::Index>(i));
+    // About the origin: the after perpendicular, the centre plane and the base line.
     points[i] = points[i].cwiseProduct(change.scale);
   }
   surface_.set_points(std::move(points));
@@ -75,6 +76,7 @@ void TargetProblem::place(const HullChange& change) {
   const analysis::ProjectDimensions project{water_.project.length_pp * scale_.x(),
                                             water_.project.beam * scale_.y(),
                                             water_.project.draft * scale_.z()};
+  // Derivatives are made when they are asked for: a step that is refused needs values alone.
   by_moves_.reset();
   position_ = position;
   numbers_.emplace(derivatives_, position, project, water_.density);
@@ -108,6 +110,7 @@ double TargetProblem::value(std::size_t row) {
   if (target.wave_speed) return wave_resistance(row);
   if (target.coordinate) {
     const auto& [cell, uv, direction] = *target.coordinate;
+    // Of the surface scaled back, as its bound is one of the hull before scaling.
     return direction.dot(surface_.position(cell, uv[0], uv[1]).cwiseQuotient(scale_));
   }
   if (target.is_section) return numbers_->section_area(target.station * scale_.x());
@@ -118,6 +121,7 @@ Vector3d TargetProblem::wave_scaling(const analysis::Gradient& gradient) const {
   Vector3d sum = Vector3d::Zero();
   const std::vector<Vector3d>& points = surface_.mesh().points();
   for (Eigen::Index k = 0; k < gradient.rows(); ++k) {
+    // By the logarithm of a factor a point moves by its own coordinate, in height from the water.
     const Vector3d p = points[static_cast<std::size_t>(k)] - Vector3d(0.0, 0.0, position_.draft);
     sum += gradient.row(k).transpose().cwiseProduct(p);
   }
@@ -141,15 +145,19 @@ Eigen::VectorXd TargetProblem::gradient(Eigen::Index row) {
   } else {
     by_points = numbers_->gradient(target.number);
   }
+  // With trim no dimension is free (TargetDescent::check_scales), and a coordinate does not depend
+  // on the factors.
   if (water_.position.trim == 0.0 && !target.coordinate) {
     const Vector3d by_logarithm = target.wave_speed ? wave_scaling(by_points)
                                   : target.is_section
                                       ? numbers_->section_area_scaling(station, by_points)
                                       : numbers_->scaling(target.number, by_points);
+    // d/ds = (1 / s) d/d(log s).
     by_scale_.row(row) = by_logarithm.cwiseQuotient(scale_).transpose();
   }
   Eigen::VectorXd found(3 * by_points.rows());
   for (Eigen::Index k = 0; k < by_points.rows(); ++k) {
+    // The chain rule: the points are those of the moves, times the factors.
     found.segment<3>(3 * k) = by_points.row(k).transpose().cwiseProduct(scale);
   }
   return found;

@@ -29,6 +29,8 @@ void TargetDescent::linearise() {
   // Targets first, then the factors themselves.
   const Eigen::Index rows = J_.rows(), all = rows + scales();
   S_.setZero(all, all);
+  // J H⁻¹ Jᵀ over moves and factors together; H of the factors is diagonal. Rows of the factors
+  // have no part in the moves.
   S_.topLeftCorner(rows, rows) = J_ * inverse_;
   Eigen::MatrixXd by_factors(all, scales());
   by_factors.topRows(rows) = K_;
@@ -52,18 +54,23 @@ void TargetDescent::linearise() {
 
 HullChange TargetDescent::step_from(const HullChange& from, const Eigen::VectorXd& values,
                                     double damping) {
+  // Of ½ z'Hz + ½ damping (z - now)'H(z - now) the form is (1 + damping) H, and the least is at
+  // this share of the way from nothing to now: so H is never factored again.
   const double share = damping / (1.0 + damping);
   HullChange middle = now_;  // least but for the conditions
   middle.y = share * now_.y;
   for (int k : free_scales_) middle.scale[k] = 1.0 + share * (now_.scale[k] - 1.0);
   const Eigen::Index rows = J_.rows();
   Eigen::VectorXd start(rows + scales());
+  // The numbers at the middle, as they are linearised about `from`.
   start.head(rows) = values.cwiseQuotient(lengths_) + J_ * (middle.y - from.y);
   for (Eigen::Index k = 0; k < scales(); ++k) {
     const int axis = free_scales_[k];
     start.head(rows) += K_.col(k) * (middle.scale[axis] - from.scale[axis]);
     start[rows + k] = middle.scale[axis];
   }
+  // What is missed costs no more than `most` a unit, so that targets which contradict one another
+  // have a solution too.
   multipliers_ = bounded_dual(S_ / (1.0 + damping), start, bounds_);
   HullChange to = middle;
   to.y += inverse_ * multipliers_.head(rows) / (1.0 + damping);
@@ -71,6 +78,7 @@ HullChange TargetDescent::step_from(const HullChange& from, const Eigen::VectorX
     const int axis = free_scales_[k];
     const double slope = K_.col(k).dot(multipliers_.head(rows)) + multipliers_[rows + k];
     const double scale = middle.scale[axis] + slope / scale_costs_[axis] / (1.0 + damping);
+    // Bounds of factors have a price as well: this takes away what rounding leaves.
     to.scale[axis] = std::clamp(scale, options_.scales[axis].low, options_.scales[axis].high);
   }
   return to;
@@ -109,6 +117,7 @@ TargetDescent::Step TargetDescent::take_step() {
     if (damping_ > kMostDamping) break;
     HullChange to = step_from(now_, values_, damping_);
     const double way = length(to, now_);
+    // Not worth a measure: so far away the numbers are not linear any longer.
     if (way > kLongestStep * size_) continue;
     const double moved =
         length(to, HullChange{Eigen::VectorXd::Zero(family_.size()), Vector3d::Ones()});
@@ -122,9 +131,12 @@ TargetDescent::Step TargetDescent::take_step() {
     if (is_sound && !is_good) {
       // The way the numbers curve, seen at the end of the step, taken into account.
       const Eigen::VectorXd multipliers = multipliers_;
+      // A second-order correction, with the derivatives at `now_`: without it steps along a curved
+      // condition would be refused however good they are (Maratos' effect).
       HullChange corrected = step_from(to, values, damping_);
       Eigen::VectorXd of_corrected;
       int other = -1;
+      // A correction longer than the step itself tells of no curve.
       if (length(corrected, now_) <= 2.0 * way + kLeastMoves * size_ &&
           try_at(corrected, of_corrected, other) && is_better(corrected, of_corrected, promise)) {
         to = std::move(corrected);
@@ -134,12 +146,14 @@ TargetDescent::Step TargetDescent::take_step() {
         multipliers_ = multipliers;
       }
     }
+    // At the very end gain and promise are rounding.
     if (is_good || (is_sound && is_short && all_met(values))) {
       const bool is_undamped = damping_ == 0.0;
       now_ = std::move(to);
       values_ = std::move(values);
       damping_ = damping_ < 0.5 ? 0.0 : 0.25 * damping_;
       step.is_taken = true;
+      // A step that only damping made short tells of no end.
       step.is_settled = is_short && (is_undamped || all_met(values_));
       step.fold = -1;
       return step;
@@ -149,6 +163,7 @@ TargetDescent::Step TargetDescent::take_step() {
       step.is_settled = true;
       break;
     }
+    // More damping makes no step that could be told from none.
     if (way <= kLeastMoves * size_) break;
   }
   problem_.place(now_);

@@ -36,6 +36,7 @@ TargetDescent::TargetDescent(const surface::LimitSurface& surface,
   now_.y = Eigen::VectorXd::Zero(family_.size());
   for (int k = 0; k < 3; ++k) {
     const ScaleBounds& bounds = options.scales[k];
+    // Where 1 is not within the limits the hull begins at the nearer one.
     now_.scale[k] = std::clamp(1.0, bounds.low, bounds.high);
   }
 }
@@ -65,10 +66,13 @@ void TargetDescent::check_scales() const {
 
 TargetsReached TargetDescent::run() {
   TargetsReached result;
+  // As the hull is, before dimensions are brought within their limits.
   const Eigen::VectorXd before = problem_.values();
   problem_.place(now_);
   values_ = problem_.values();
+  // Once: sizes that went along with the derivatives would change what is made least.
   prepare_rows(before);
+  // For the progress alone: where nothing is missed there is no division by zero.
   const double missing = std::max(total_miss(values_), 1e-300);
   result.status = TargetStatus::kUnsettled;
   while (result.iterations < kMostSteps) {
@@ -82,6 +86,7 @@ TargetsReached TargetDescent::run() {
       break;
     }
     if (step.is_settled || !step.is_taken) {
+      // A fold that stopped the way says more than what is missed because of it.
       result.status = step.fold >= 0                       ? TargetStatus::kFolded
                       : all_met(values_)                   ? TargetStatus::kMet
                       : step.is_settled || is_priced_out() ? TargetStatus::kUnreachable
@@ -105,6 +110,8 @@ void TargetDescent::prepare_rows(const Eigen::VectorXd& before) {
   met_.resize(count);
   for (Eigen::Index i = 0; i < count; ++i) {
     const FormTarget& target = targets_[i];
+    // J H^-1 J^T: the square of what the number changes by at most for a shift of 1 m root mean
+    // square, bending included.
     double square = J.row(i).dot(inverse.col(i));
     for (int k : free_scales_) square += std::pow(by_scale(i, k), 2) / scale_costs_[k];
     double wanted = std::abs(before[i]);
@@ -113,6 +120,8 @@ void TargetDescent::prepare_rows(const Eigen::VectorXd& before) {
     }
     // What a hundredth of the ship's size changes it by, where all of it is about zero.
     const double by_shift = 0.01 * size_ * std::sqrt(square);
+    // What nothing changes, such as a number of nothing immersed, has no such length: any will do
+    // that makes its row a number.
     lengths_[i] = square > 0.0 ? std::sqrt(square) : std::max(wanted, 1.0) / size_;
     met_[i] =
         (target.wave_speed ? kWaveMet : kMet) * std::max({wanted, std::min(by_shift, 1.0), 1e-12});
@@ -143,6 +152,8 @@ double TargetDescent::total_miss(const Eigen::VectorXd& values) const {
   double sum = 0.0;
   for (Eigen::Index i = 0; i < values.size(); ++i) {
     const double far = std::abs(miss(i, values[i]));
+    // An exact penalty: linear in the miss, so that beyond some price what can be met is met
+    // exactly, not in proportion.
     if (far > met_[i]) sum += price_limit(i) * far / lengths_[i];
   }
   return sum;
@@ -159,8 +170,10 @@ double TargetDescent::cost(const HullChange& change) const {
 double TargetDescent::length(const HullChange& a, const HullChange& b) const {
   double sum = family_.cost(a.y - b.y);
   for (int k : free_scales_) {
+    // A way, not a cost: by scaling as by moves it is the shift of the surface.
     sum += 0.5 * scale_costs_[k] / options_.scale_cost * std::pow(a.scale[k] - b.scale[k], 2);
   }
+  // Costs are halves of mean squares.
   return std::sqrt(2.0 * sum);
 }
 
@@ -179,6 +192,7 @@ void TargetDescent::take_outcome(const Eigen::VectorXd& before, TargetsReached& 
   result.scale = now_.scale;
   for (Eigen::Index i = 0; i < values_.size(); ++i) {
     const double far = miss(i, values_[i]);
+    // Multipliers are of rows by their lengths: of the number itself in its own unit this is left.
     const double price = multipliers_.size() > 0 ? multipliers_[i] / lengths_[i] : 0.0;
     result.targets.push_back({before[i], values_[i], std::abs(far) > met_[i] ? far : 0.0, price,
                               price_limit(i) / lengths_[i]});
@@ -188,6 +202,7 @@ void TargetDescent::take_outcome(const Eigen::VectorXd& before, TargetsReached& 
   }
   result.cost = cost(now_);
   const Eigen::VectorXd moves = family_.moves(now_.y);
+  // The family's moves alone, without scaling.
   const VectorRows rows = family_.places().weights()->at(as_rows(moves));
   const Eigen::VectorXd shifts = rows.rowwise().squaredNorm();
   double sum = 0.0;

@@ -58,6 +58,7 @@ AreaCurve::AreaCurve(const WorkingHull& hull)
     for (int k = 0; k < 4; ++k) rows(i, place.span + k) = weights[k];
     areas[i] = sections[i].area / largest_;
   }
+  // Some four samples to a coefficient: a jump of the areas is smoothed, not followed.
   coefficients_ = mesh::least_norm_solution(rows, areas);
   const double step = 1e-4 * length;
   // From within: beyond its ends spline() is constant.
@@ -78,6 +79,7 @@ double AreaCurve::at(double x) const {
   // On along the tangent, whose slope fades to none.
   const auto beyond = [fade](double distance) {
     const double d = std::min(distance, fade);
+    // The integral of a slope that falls from 1 to 0 in a straight line.
     return d * (1.0 - 0.5 * d / fade);
   };
   if (x < aft_) return spline(aft_) - slope_aft_ * beyond(aft_ - x);
@@ -95,6 +97,7 @@ HullRange parallel_body(const WorkingHull& hull) {
     return section.area >= (1.0 - kSameArea) * largest->area;
   };
   auto first = largest, last = largest;
+  // From the largest outwards: one as large behind a smaller one is of another part.
   while (first != sections.begin() && is_same(*(first - 1))) --first;
   while (last + 1 != sections.end() && is_same(*(last + 1))) ++last;
   // Between a section that is the same and its neighbour that is not.

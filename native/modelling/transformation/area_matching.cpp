@@ -46,6 +46,7 @@ class ShiftWay : public Way {
   std::vector<double> improved(const WorkingHull& hull, const std::vector<double>& stations,
                                const std::vector<double>& values) override {
     std::vector<double> now(stations.size()), result(stations.size());
+    // Where the stations have come to, with the areas that they have there.
     for (std::size_t i = 0; i < stations.size(); ++i) now[i] = stations[i] + values[i];
     const auto sections = hull.sections(now);
     // In a parallel part areas say nothing: it is stretched between its ends.
@@ -59,6 +60,7 @@ class ShiftWay : public Way {
         const double t = length > 0.0 ? (stations[i] - parallel_.aft) / length : 0.5;
         wanted = aft + t * (fore - aft);
       } else {
+        // To where the target has the same part of its largest area, on the same side of it.
         const double share = std::min(sections[i].area / largest_, 1.0);
         wanted = target_.position_of(share * target_.largest(), stations[i] > parallel_.forward);
       }
@@ -89,6 +91,7 @@ class InflateWay : public Way {
     const auto sections = hull.sections(stations);
     std::vector<double> result = values;
     for (std::size_t i = 0; i < stations.size(); ++i) {
+      // Newton's step: an area grows by the girth for each metre outwards.
       const double area = sections[i].area;
       if (area < kLittle * target_.largest()) continue;
       // At the narrow ends a girth says too much: no section by more than a tenth of its size.
@@ -146,6 +149,7 @@ AreasMatched match_areas(const analysis::HullBody& body, const analysis::Floatin
   const auto [aft, forward] = hull.immersed_range();
   const double margin = AreaCurve::kInside * (forward - aft);
   const std::vector<double> stations = spread(aft + margin, forward - margin, kStations);
+  // All along both: where only one of the two is it is compared with nothing.
   const std::vector<double> compared =
       spread(std::min(aft + margin, target.aft()), std::max(forward - margin, target.forward()),
              kCompared);
@@ -163,6 +167,7 @@ AreasMatched match_areas(const analysis::HullBody& body, const analysis::Floatin
     const StationSpline change(stations, values);
     const Reshaped reshaped = way->solve(change);
     if (reshaped.folded_place >= 0) {
+      // What was reached before the fold is still good.
       if (result.iterations > 0) break;
       throw std::invalid_argument(
           "The sectional area curve wanted is too far from what is there: the surface would fold.");
@@ -170,6 +175,7 @@ AreasMatched match_areas(const analysis::HullBody& body, const analysis::Floatin
     hull.move(reshaped.moves);
     ++result.iterations;
     const Difference now = difference(hull, target, compared);
+    // Not each step is better than the one before: the best is what comes back.
     if (now.rms < least) {
       least = now.rms;
       result.difference = now.largest;

@@ -18,6 +18,7 @@ constexpr double kHeld = 1e8;
 
 // The uniform cubic B-spline about 0, or a derivative of it.
 double spline(double t, int derivative) {
+  // By its halves: even itself and by its second derivative, odd by its first; zero from 2 on.
   const double a = std::abs(t), r = std::max(2.0 - a, 0.0), sign = t < 0.0 ? -1.0 : 1.0;
   switch (derivative) {
     case 0:
@@ -50,20 +51,27 @@ FairShifts::FairShifts(const AreaCurve& areas, const HullRange& immersed,
     if (x < immersed.aft || x > immersed.forward) continue;
     const Row slope = areas.at(x) * row(x, 1);
     volume += slope;
+    // About amidships: about x = 0 it would nearly be a multiple of the volume's.
     moment += (x - middle) * slope + areas.at(x) * row(x, 0);
   }
   const Eigen::Index size = kSpans + 3;
   // Both perpendiculars stay.
   Eigen::MatrixXd equations = Eigen::MatrixXd::Zero(size + 2, size + 2);
+  // The energy bordered by the conditions (Lagrange): alone it is singular, as straight shifts bend
+  // nothing.
   equations.topLeftCorner(size, size) = energy(places, constraints);
   equations.row(size).head(size) = row(0.0, 0);
   equations.row(size + 1).head(size) = row(constraints.length_pp, 0);
   equations.rightCols(2) = equations.bottomRows(2).transpose().eval();
   Eigen::MatrixXd changes = Eigen::MatrixXd::Zero(size + 2, 2);
+  // Sums over samples stand for integrals: the spacing drops out with their lengths.
   changes.col(0).head(size) = volume.transpose() / volume.norm();
   changes.col(1).head(size) = moment.transpose() / moment.norm();
+  // The least energy for a change is the response to its slope; by how much, the caller's
+  // coefficients say.
   const Eigen::MatrixXd responses = mesh::least_norm_solutions(equations, changes);
   coefficients_ = {responses.col(0).head(size), responses.col(1).head(size)};
+  // Of LCB's function as much of the other as takes the volume back.
   coefficients_[1] -=
       volume.dot(coefficients_[1]) / volume.dot(coefficients_[0]) * coefficients_[0];
   for (Eigen::VectorXd& own : coefficients_) {
@@ -78,6 +86,7 @@ FairShifts::Row FairShifts::row(double x, int derivative) const {
   Row result = Row::Zero(kSpans + 3);
   const auto first = static_cast<Eigen::Index>(std::floor(t));
   for (Eigen::Index k = std::max<Eigen::Index>(first, 0); k < first + 4 && k < result.size(); ++k) {
+    // Number k is centred at the knot k - 1: the first and the last beyond the ends.
     result[k] = spline(t - static_cast<double>(k - 1), derivative) / std::pow(span, derivative);
   }
   return result;
@@ -92,6 +101,7 @@ Eigen::VectorXd FairShifts::weights(const SurfacePlaces& places,
     if (std::abs(along) > kAcross) continue;
     const auto first = static_cast<Eigen::Index>(std::max(0.0, (x - reach - aft_) / step));
     for (Eigen::Index i = first; i < samples.size() && samples[i] < x + reach; ++i) {
+      // Each place counts in a triangle about it: so the rows of places do not show.
       const double share = 1.0 - std::abs(samples[i] - x) / reach;
       sums[i] += std::max(share, 0.0) * places.area(k) * along * along;
     }

@@ -46,6 +46,7 @@ NormalReshape::NormalReshape(const surface::LimitSurface& surface, const Transfo
   for (int k = 0; k < places().count(); ++k) {
     Vector3d across = places().normal(k);
     across.x() = 0.0;
+    // Of length 1 where the surface runs along the ship, shorter and shorter the more it is across.
     directions_.push_back(across / std::max(across.norm(), kLeastAcross));
   }
 }
@@ -77,6 +78,7 @@ Inflated inflate(const analysis::HullBody& body, const analysis::FloatingPositio
     return std::isfinite(extent) ? bump((x - place) / extent) : 1.0;
   };
   Inflated result{};
+  // Nothing is prescribed, so moves are in proportion to the amount: one solution serves all.
   const Reshaped unit = reshape.solve(share);
   const auto moved = [&](double amount) {
     std::vector<Vector3d> moves = unit.moves;
@@ -99,6 +101,7 @@ Inflated inflate(const analysis::HullBody& body, const analysis::FloatingPositio
     if (!std::isfinite(amount) || reshape.places().first_fold(points) >= 0) refuse();
     hull.move(moved(amount));
     found = hull.section_area(place);
+    // Beyond what counts as met, so that it is met whatever is rounded afterwards.
     if (std::abs(found - area) <= 0.01 * kMet * area) break;
     const double slope = (found - area_before) / (amount - before);
     if (amount != before && !(slope > 0.0)) break;  // rounding, or nothing that moves

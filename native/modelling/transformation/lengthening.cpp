@@ -77,6 +77,7 @@ class Insertion {
     const auto is_formed = [&](Place k) {
       return wet[places_.cell(k)] && std::abs(places_.normal(k).x()) > kParallel;
     };
+    // The parallel part about the place: up to the nearest surface on either side that is not.
     range_ = {-INFINITY, INFINITY};
     for (Place k = 0; k < places_.count(); ++k) {
       if (!is_formed(k)) continue;
@@ -114,7 +115,10 @@ class Insertion {
           "The body is not parallel at x = " + metres(place_) +
           ", or in too few rows of control points: subdivide the mesh once, or stretch a range.");
     }
+    // What shapes the surface outside moves with that, however far into the parallel part it lies.
     if (is_aft || is_fore) return is_fore ? 1.0 : 0.0;
+    // All others shape surface that is parallel, or above the water: there any shift along the ship
+    // will do, and in proportion none overtakes another.
     const double x = hull_.points()[point].x();
     return std::clamp((x - range_.aft) / (range_.forward - range_.aft), 0.0, 1.0);
   }
@@ -137,6 +141,7 @@ void refuse_moved(const std::vector<Vector3d>& moves, const TransformLimits& lim
   for (const std::vector<int>& group : limits.rigid) {
     for (int point : group) {
       check_point(point, static_cast<int>(moves.size()), "rigid");
+      // To the bit: what moves as one has a share of 0 or 1.
       if (moves[point].x() == moves[group.front()].x()) continue;
       throw std::invalid_argument("The control points " + std::to_string(group.front()) + " and " +
                                   std::to_string(point) +
@@ -145,6 +150,7 @@ void refuse_moved(const std::vector<Vector3d>& moves, const TransformLimits& lim
   }
   for (const HeldDirection& held : limits.limits.held) {
     check_point(held.point, static_cast<int>(moves.size()), "held");
+    // The plane goes with what is ahead, or stays: only between would the point leave it.
     const double x = moves[held.point].x();
     if (std::abs(held.normal.normalized().x()) <= kParallel || x == 0.0 || x == length) continue;
     throw std::invalid_argument("The control point " + std::to_string(held.point) +
@@ -159,6 +165,7 @@ TransformLimits with_ends(const SurfacePlaces& places, std::size_t count, const 
   const std::vector<Reach> all = reaches(places, count, [](Place) { return true; });
   std::vector<int> aft, fore;
   for (std::size_t i = 0; i < count; ++i) {
+    // By the surface that they shape, not by where they are themselves.
     if (all[i].to <= range.aft) aft.push_back(static_cast<int>(i));
     if (all[i].from >= range.forward) fore.push_back(static_cast<int>(i));
   }
@@ -185,6 +192,7 @@ void check_stretched(const HullRange& range, double length) {
   if (!(range.aft < range.forward) || !std::isfinite(range.forward - range.aft)) {
     throw std::invalid_argument("The stretched range runs from aft forward.");
   }
+  // The step's steepest slope, length * kSteepestStep over the range, must stay above -1.
   const double least = -kSteepestStep * length;
   if (range.forward - range.aft > least) return;
   throw std::invalid_argument("To take out " + metres(-length) + " the range must be longer than " +

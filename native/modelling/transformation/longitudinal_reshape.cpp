@@ -29,6 +29,7 @@ std::vector<TiedPoint> ties_across(const surface::LimitSurface& surface,
     const int a = t.origin(h), b = t.origin(t.next(h));
     if (!t.is_crease(h) || std::abs(points[a].x() - points[b].x()) > least) continue;
     if (is_settled[a] || is_settled[b]) continue;
+    // Of an inner crease both half-edges come, and say the same: of dependent ties one counts.
     ties.push_back({a, b, Vector3d::UnitX()});
   }
   return ties;
@@ -45,6 +46,7 @@ ReshapeOptions options_for(const surface::LimitSurface& surface, const Transform
     if (std::abs(held.normal.normalized().x()) > kRaked) is_raked[held.point] = 1;
   }
   for (std::size_t i = 0; i < points.size(); ++i) {
+    // In a raked plane a point that moves along the ship must rise or spread as well.
     if (is_raked[i]) continue;
     options.limits.limits.held.push_back({static_cast<int>(i), Vector3d::UnitY()});
     options.limits.limits.held.push_back({static_cast<int>(i), Vector3d::UnitZ()});
@@ -60,6 +62,7 @@ ReshapeOptions options_for(const surface::LimitSurface& surface, const Transform
     const auto is_rigid = [&](int point) { return std::ranges::find(rigid, point) != rigid.end(); };
     if (!std::ranges::all_of(sum.points, is_rigid)) options.limits.kept.push_back(sum);
   }
+  // A tie to a point that stays, or is told how to move, would hold the other one, too.
   std::vector<char> is_settled = is_raked;
   for (int point : limits.limits.locked) {
     check_point(point, static_cast<int>(points.size()), "locked");
@@ -86,6 +89,7 @@ std::vector<std::vector<int>> plane_ends(const surface::LimitSurface& surface) {
       low = std::min(low, points[t.origin(h + k)].x());
       high = std::max(high, points[t.origin(h + k)].x());
     }
+    // All of a face must be at one x: an edge across the ship alone is any frame's.
     if (high - low > kInPlane * surface.mesh().size()) continue;
     for (int k = 0; k < t.face_size(face); ++k) {
       found.insert(t.origin(h + k));
@@ -120,6 +124,7 @@ struct LongitudinalReshape::Rigid {
       }
       if (stays) continue;
       for (int point : group) {
+        // A point of two groups goes with the first.
         if (!known.insert(point).second) continue;
         points.push_back(point);
         group_of.push_back(static_cast<int>(groups.size()));
@@ -131,6 +136,7 @@ struct LongitudinalReshape::Rigid {
 
 LongitudinalReshape::LongitudinalReshape(const surface::LimitSurface& surface,
                                          const TransformLimits& limits)
+    // Groups first, as the reshape's limits prescribe the moves of their points.
     : LongitudinalReshape(surface, limits, Rigid(surface.mesh().points(), limits)) {}
 
 LongitudinalReshape::LongitudinalReshape(const surface::LimitSurface& surface,
@@ -148,6 +154,8 @@ double LongitudinalReshape::with_groups(const std::function<double(double x)>& s
     const double distance = std::abs(x - nearest);
     if (!(distance < 2.0 * length)) continue;
     sum +=
+        // Within the group this makes it the middle's shift; outside, what is missing at its end
+        // fades.
         (shift(group.middle()) - shift(nearest)) * (1.0 - smooth_step(distance / (2.0 * length)));
   }
   return sum;

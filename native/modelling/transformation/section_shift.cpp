@@ -17,6 +17,7 @@ ShiftSettings with_length(ShiftSettings settings, const analysis::ProjectDimensi
 }
 
 Eigen::MatrixXd slopes_along(const ShiftFunctions& functions, const SurfacePlaces& places) {
+  // All of the hull, beyond the perpendiculars, too.
   double from = INFINITY, to = -INFINITY;
   for (int k = 0; k < places.count(); ++k) {
     from = std::min(from, places.position(k).x());
@@ -46,6 +47,7 @@ SectionShift::SectionShift(const analysis::HullBody& body,
       water_density_(water_density),
       reshape_(hull_.surface(), limits),
       functions_(with_length(settings, project), hull_, reshape_.places()) {
+  // Cb stands on the draft of the project or, where that is not given, on that of the water.
   if (!(project_.draft > 0.0)) project_.draft = position.draft;
   slopes_ = slopes_along(functions_, reshape_.places());
   // Moves are linear in the coefficients: with those of each function alone no step of the solver
@@ -111,6 +113,7 @@ SectionsShifted SectionShift::outcome(const std::vector<double>& coefficients) {
   result.rms = left.rms;
   result.largest = left.largest;
   result.largest_place = reshape_.places().position(left.largest_place);
+  // The solver may have left the hull at a step that was not taken.
   hull_.move(result.moves);
   const analysis::Immersion& immersion = hull_.immersion();
   result.volume = immersion.volume;

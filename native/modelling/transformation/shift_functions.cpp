@@ -18,6 +18,7 @@ constexpr int kStretchSamples = 801;
 // The cubic of t in [0, 1] with value and slope at 0, and neither at 1.
 double faded(double value, double slope, double t) {
   const double s = std::min(t, 1.0), r = 1.0 - s;
+  // Hermite's cubic; the slope is by t.
   return r * r * (value * (1.0 + 2.0 * s) + slope * s);
 }
 
@@ -85,6 +86,7 @@ double ShiftFunctions::towards_end(double x) const {
   const bool is_fore = x > parallel_.forward;
   if (!is_fore && x >= parallel_.aft) return 0.0;
   const double room = is_fore ? settings_.length_pp - parallel_.forward : parallel_.aft;
+  // 0 at the parallel body's end, 1 at the perpendicular.
   const double t = std::min((is_fore ? x - parallel_.forward : parallel_.aft - x) / room, kExtreme);
   // For a body without a parallel part room is the half length, and this half · x sin(π|x|).
   return (is_fore ? 1.0 : -1.0) * std::min(room, half) * t * std::sin(std::numbers::pi * t);
@@ -93,11 +95,13 @@ double ShiftFunctions::towards_end(double x) const {
 double ShiftFunctions::by_area(double x) const {
   const bool has_parallel = settings_.parallel.has_value();
   const double largest =
+      // Not at an end itself: there must be room to fade on both sides.
       std::clamp(areas_->largest_position(), 0.1 * settings_.length_pp, 0.9 * settings_.length_pp);
   const double aft = has_parallel ? parallel_.aft : largest;
   const double fore = has_parallel ? parallel_.forward : largest;
   // In the parallel body all areas are the largest, whatever the spline makes of them.
   const double area = areas_->at(has_parallel && x > aft && x < fore ? fore : x);
+  // From 0 at the largest section to 1 at the perpendiculars, so that by_area() is zero there.
   const double ahead = (x - fore) / (settings_.length_pp - fore), abaft = (aft - x) / aft;
   return area - area_at_fp_ * smooth_step(ahead) - area_at_ap_ * smooth_step(abaft);
 }
@@ -106,6 +110,7 @@ double ShiftFunctions::freedom(double x) const {
   double share = 1.0;
   for (const HeldRange& held : settings_.held) {
     const double outside = std::max(held.aft - x, x - held.forward);
+    // A product, so that ranges which overlap hold what either holds.
     share *= smooth_step(outside / held.fade);
   }
   return share;
@@ -119,6 +124,7 @@ double ShiftFunctions::value(int k, double x) const {
       value = k == 0 ? towards_end(x) : 0.5 * settings_.length_pp * by_area(x);
       break;
     case ShiftedPart::kApart:
+      // Coefficient 0 is of the fore body, 1 of the aft body.
       value = is_fore == (k == 0) ? towards_end(x) : 0.0;
       break;
     case ShiftedPart::kFore:
@@ -138,6 +144,8 @@ double ShiftFunctions::parallel_change(double x) const {
   if (!settings_.parallel_wanted) return 0.0;
   const HullRange &now = parallel_, &wanted = *settings_.parallel_wanted;
   const double fore = wanted.forward - now.forward, aft = wanted.aft - now.aft;
+  // The parallel body is stretched evenly; the ends go on with that slope, and fade to none at the
+  // perpendiculars.
   const double slope = (fore - aft) / (now.forward - now.aft);
   const double ahead = settings_.length_pp - now.forward;
   double value = aft + slope * (x - now.aft);
@@ -169,6 +177,7 @@ double ShiftFunctions::least_stretch(const Eigen::MatrixXd& slopes,
   Eigen::VectorXd factors(slopes.cols());
   factors[0] = 1.0;
   for (Eigen::Index k = 1; k < factors.size(); ++k) factors[k] = coefficients[k - 1];
+  // Shifts are sums: one product tells of any coefficients, without the functions.
   return 1.0 + (slopes * factors).minCoeff();
 }
 

@@ -67,6 +67,8 @@ std::optional<SectionShift::Solver::Range> SectionShift::Solver::reach(const Pat
       inside = start + direction * distance;
       distance *= 2.0;
     }
+    // Between the last value that is reached and the first that is not: what lies behind a gap is
+    // not looked for.
     double outside = start + direction * distance;
     for (int i = 0; i < kReachBisections; ++i) {
       const double middle = 0.5 * (inside + outside);
@@ -92,6 +94,7 @@ void SectionShift::Solver::refuse() {
         "The parallel middle body wanted leaves too little room for the ends: sections would "
         "overtake one another.");
   }
+  // solve() has made the model by then.
   const double present = base_.moment / base_.volume;
   const auto volumes =
       reach([&](double volume) { return model_root(volume, targets_.lcb.value_or(0.0)); },

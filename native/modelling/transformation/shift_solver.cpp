@@ -42,6 +42,7 @@ void SectionShift::Solver::choose_directions() {
         "One half of the body alone meets one wanted value: leave out the displacement or LCB, or "
         "shift both halves.");
   }
+  // A alone for the volume alone, unless said otherwise below.
   directions_ = Eigen::MatrixXd::Identity(count, wanted);
   if (wanted != 1 || count != 2) return;
   if (shift_.functions_.part() == ShiftedPart::kApart) {
@@ -84,6 +85,7 @@ void SectionShift::Solver::make_model() {
   }
   for (Eigen::Index i = 1; i < n; ++i) {
     for (Eigen::Index j = 0; j < i; ++j) {
+      // What a quadratic without the mixed term would have there is taken off.
       const double mixed = at(i, h, j, h).moment - base_.moment -
                            h * (moment_slope_[i] + moment_slope_[j]) -
                            0.5 * h * h * (curvature_(i, i) + curvature_(j, j));
@@ -98,6 +100,7 @@ Eigen::MatrixXd SectionShift::Solver::model_slopes(const Vector& y) const {
   const double volume = model_volume(y);
   if (targets_.volume) slopes.row(row++) = volume_slope_.transpose() / base_.volume;
   if (targets_.lcb) {
+    // LCB is moment over volume: the rule of quotients.
     const Vector lcb = (moment_slope_ + curvature_ * y) / volume -
                        volume_slope_ * (model_moment(y) / (volume * volume));
     slopes.row(row) = lcb.transpose() / shift_.project_.length_pp;
@@ -113,6 +116,7 @@ std::optional<Eigen::VectorXd> SectionShift::Solver::model_root(double volume, d
     const double now = model_volume(y);
     if (targets_.volume) missing[row++] = (volume - now) / base_.volume;
     if (targets_.lcb) missing[row] = (lcb - model_moment(y) / now) / shift_.project_.length_pp;
+    // Newton's method on the model: no evaluation of the hull.
     const Vector change = model_slopes(y).fullPivLu().solve(missing);
     if (!change.allFinite()) return std::nullopt;
     y += change;
@@ -149,6 +153,8 @@ std::vector<double> SectionShift::Solver::solve() {
   }
   make_model();
   const std::optional<Vector> root = model_root(wanted_volume_, targets_.lcb.value_or(0.0));
+  // Soundness is asked of the model's root, so that what is out of reach is told before the hull is
+  // put there.
   if (!root || !is_sound(*root)) refuse();
   Vector y = *root, left = missing(y);
   Eigen::MatrixXd slopes = model_slopes(y);

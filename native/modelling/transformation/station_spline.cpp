@@ -17,6 +17,7 @@ StationSpline::StationSpline(const std::vector<double>& stations, std::vector<do
   const std::size_t inner = values_.size() - 2;
   const analysis::Tridiagonal rows{std::vector<double>(inner, 1.0), std::vector<double>(inner, 4.0),
                                    std::vector<double>(inner, 1.0)};
+  // The solver is one of vectors: the values are their first coordinates.
   std::vector<Vector3d> right(inner, Vector3d::Zero());
   for (std::size_t i = 0; i < inner; ++i) {
     right[i].x() = values_[i] - 2.0 * values_[i + 1] + values_[i + 2];

@@ -64,6 +64,7 @@ TargetCurve::TargetCurve(std::vector<double> positions, std::vector<double> area
   largest_ = *largest;
   const auto first = largest - areas_.begin();
   auto last = first;
+  // Of a parallel middle body the middle.
   while (last + 1 < std::ssize(areas_) && areas_[last + 1] == largest_) ++last;
   largest_at_ = 0.5 * (positions_[first] + positions_[last]);
 }
@@ -71,6 +72,7 @@ TargetCurve::TargetCurve(std::vector<double> positions, std::vector<double> area
 double TargetCurve::at(double x) const {
   if (x < aft() || x > forward()) return 0.0;
   const auto next = std::ranges::upper_bound(positions_, x);
+  // The forward end is of the last span.
   const std::size_t i =
       std::clamp<std::ptrdiff_t>(next - positions_.begin() - 1, 0, std::ssize(positions_) - 2);
   const double h = positions_[i + 1] - positions_[i], t = (x - positions_[i]) / h, s = 1.0 - t;
@@ -82,6 +84,7 @@ double TargetCurve::position_of(double area, bool is_fore) const {
   const double end = is_fore ? forward() : aft();
   constexpr int kSteps = 200, kBisections = 45;
   double inside = largest_at_;
+  // Outwards step by step: areas may rise again further out, and the nearest place is meant.
   for (int i = 1; i <= kSteps; ++i) {
     double outside = largest_at_ + (end - largest_at_) * i / kSteps;
     if (at(outside) >= area) {

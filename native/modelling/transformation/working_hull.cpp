@@ -30,6 +30,7 @@ WorkingHull::WorkingHull(const analysis::HullBody& body, const analysis::Floatin
   }
   const analysis::ExtentSearch extents(surface_, body_.boxes(), water_);
   using Part = analysis::ExtentSearch::Part;
+  // As given: shifts are functions of where sections were.
   immersed_range_ = {-extents.farthest(-Vector3d::UnitX(), Part::kImmersed).value,
                      extents.farthest(Vector3d::UnitX(), Part::kImmersed).value};
   // Its volume is rounding, which may be more than zero, and places along it mean nothing.
