@@ -111,6 +111,7 @@ SourceGrid::Place SourceGrid::place(double x, double depth) const {
   place.layer = std::min(place.layer, layer_count() - 1);
   const Layer& layer = layers_[place.layer];
   const double along = (x - aft_) / layer.width;
+  // The ship's very ends may be rounded to beyond the last panel.
   place.panel = std::clamp(static_cast<int>(along), 0, layer.panels - 1);
   place.along = Along::get().at(along - place.panel);
   place.down = Down::get().at((depth - layer.top) / layer.height);
@@ -119,6 +120,8 @@ SourceGrid::Place SourceGrid::place(double x, double depth) const {
 
 void SourceGrid::add(double x, double depth, double strength) {
   const Place at = place(x, depth);
+  // A quadrature mostly stays in a rectangle for a while: sources that wait for others of theirs
+  // are added by one product of matrices in place of as many of rank one.
   auto own = std::find_if(waiting_.begin(), waiting_.end(), [&](const Waiting& one) {
     return one.layer == at.layer && one.panel == at.panel;
   });
@@ -136,6 +139,7 @@ void SourceGrid::add(double x, double depth, double strength) {
 
 void SourceGrid::take(Waiting& waiting) {
   if (waiting.count == 0) return;
+  // Behind the last there is what was added before.
   waiting.along.rightCols(kAtOnce - waiting.count).setZero();
   waiting.down.bottomRows(kAtOnce - waiting.count).setZero();
   Rows sum;
@@ -166,6 +170,7 @@ SourceGrid::Waves SourceGrid::at_middles(const Layer& layer, const Eigen::Vector
 
 SourceGrid::Interpolation SourceGrid::interpolation(const Layer& layer, const Eigen::VectorXd& k) {
   const double low = k.minCoeff(), range = k.maxCoeff() - low;
+  // No node is farther than half a rectangle from its middle.
   const int nodes = nodes_for(0.5 * range * layer.width);
   if (nodes >= k.size()) {
     return padded({within(layer, k), Eigen::MatrixXd::Identity(k.size(), k.size())});
@@ -211,6 +216,8 @@ Eigen::MatrixXcd SourceGrid::sums(int layer, std::span<const double> wave_number
     multiply(by.polynomials, at_nodes, cosines);
     multiply(by.waves.sines, strengths, at_nodes);
     multiply(by.polynomials, at_nodes, sines);
+    // (cosines + i sines) times the wave at the panel's middle, which the next lines turn on by a
+    // panel's width: a complex product in place of new cosines and sines.
     real.array() += cosines.array().colwise() * middle_cos - sines.array().colwise() * middle_sin;
     imaginary.array() +=
         cosines.array().colwise() * middle_sin + sines.array().colwise() * middle_cos;
@@ -237,6 +244,7 @@ void SourceGrid::add_back(int layer, std::span<const double> wave_numbers,
     real.middleCols<kDown>(first) = a.colwise() * at_cos - b.colwise() * at_sin;
     imaginary.middleCols<kDown>(first) = a.colwise() * at_sin + b.colwise() * at_cos;
   }
+  // Re(factor exp(i k x)) of each node: the transpose of sums().
   own.strengths += waves.cosines.transpose() * real - waves.sines.transpose() * imaginary;
 }
 
