@@ -80,9 +80,11 @@ double FormNumbers::inertia(const Vector3d& direction) {
 
 FormNumbers::Product FormNumbers::coefficient(FormNumber number) {
   using N = FormNumber;
+  // The immersed coefficients are the last of all.
   const bool immersed = number >= N::kImmersedBlock;
   const double draft = project_.draft > 0.0 ? project_.draft : position_.draft;
   Product product;
+  // A project's dimension is a factor; one that is measured is a term with a derivative of its own.
   const auto divide = [&](double fixed, FormNumber free) {
     if (immersed) {
       product.terms.emplace_back(free, -1);

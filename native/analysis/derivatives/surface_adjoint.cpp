@@ -35,6 +35,8 @@ void take_back_ghosts(PointColumns& by_points, const std::array<int, 16>& presen
     by_points.row(from).setZero();
   };
   const bool west = missing(4), east = missing(7), south = missing(1), north = missing(13);
+  // fill_ghosts() fills rows first: columns come back first, since they were made of the rows'
+  // ghosts.
   for (int column = 3; column >= 0; --column) {
     if (north) take_back(12 + column, -4);
     if (south) take_back(column, 4);
