@@ -38,6 +38,7 @@ ControlMesh ControlMesh::with_points(std::vector<Eigen::Vector3d> points) const 
                                 std::to_string(points.size()) + " positions were given.");
   }
   for (std::size_t i = 0; i < points.size(); ++i) {
+    // Of all that check_mesh() refuses these and the size alone depend on where points are.
     if (!points[i].allFinite() || points[i].cwiseAbs().maxCoeff() > kMaxCoordinate) {
       throw std::invalid_argument("The position given for point " + std::to_string(i) +
                                   " is not finite or too far away.");

@@ -291,6 +291,7 @@ void check_fans(const MeshArrays& mesh, const Connectivity& connectivity,
     if (a != b && connectivity.has_edge(a, b)) unique.push_back({std::min(a, b), std::max(a, b)});
   }
   std::sort(unique.begin(), unique.end());
+  // An edge may be named twice, or from both ends.
   unique.erase(std::unique(unique.begin(), unique.end()), unique.end());
   for (const auto& [a, b] : unique) {
     ++creases[a];

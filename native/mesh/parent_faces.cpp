@@ -77,6 +77,8 @@ class Part {
 
   void spread(int face, int start) {
     std::vector<int> waiting;
+    // A half-edge's phase decides those of its face; these decide, across the edges, the
+    // neighbours'.
     const auto enter = [&](int h, int phase) {
       if (phase_[h] != kUnknown) {
         if (phase_[h] != phase) {

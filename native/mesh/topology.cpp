@@ -36,6 +36,7 @@ Topology::Topology(int vertex_count, const std::vector<int>& face_sizes,
     const int start = outgoing_[a];
     for (int h = start; h >= 0;) {
       const int incoming = prev(h);
+      // By half-edges that leave a and such that come in: of a border there is one only.
       if (origin_[next(h)] == b) {
         crease_[h] = 1;
         if (twin_[h] >= 0) crease_[twin_[h]] = 1;
@@ -71,6 +72,7 @@ void Topology::find_edges(const std::vector<int>& face_sizes,
   for (int e = 0; e < edge_count_; ++e) {
     const far::ConstIndexArray faces = level.GetEdgeFaces(e);
     const far::ConstLocalIndexArray sides = level.GetEdgeFaceLocalIndices(e);
+    // Others were refused by check_mesh().
     assert(faces.size() == 1 || faces.size() == 2);
     // Side k of a face is the half-edge that leaves its corner k.
     const int h = face_begin_[faces[0]] + sides[0];

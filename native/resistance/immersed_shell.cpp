@@ -69,6 +69,7 @@ struct SpanSheet {
   };
 
   Column column(double s) const {
+    // Of the span's parameters.
     const double area = square.size * square.size;
     if (square.side == CutSquare::Side::kBelow) return {s, 0.0, 1.0, area};
     const analysis::WetColumn wet(square, s);
@@ -103,12 +104,14 @@ class SheetIntegrator {
     // Phases are those of waves that reach the upper side: further down rectangles may be longer.
     const double along = scales_.along_at(spread.top);
     const double phase_s = along * spread.x_by_s, phase_t = along * spread.x_by_t;
+    // From the water down to that depth no wave falls off by more than the rules allow for.
     const double shallow = std::max(spread.top, kFirstDecays / scales_.decay);
     const double decay_s = spread.depth_by_s / shallow, decay_t = spread.depth_by_t / shallow;
     const bool turns = std::max(phase_s, phase_t) > kMostPhase;
     if (halvings < kMostHalvings && (turns || decay_s + decay_t > 1.0)) {
       return halve(rectangle, turns ? phase_s >= phase_t : decay_s >= decay_t, halvings);
     }
+    // Phase and decay are the two parts of one complex exponent.
     add_nodes(rectangle, wave_rule(std::hypot(phase_s, kFirstDecays * decay_s)),
               wave_rule(std::hypot(phase_t, kFirstDecays * decay_t)));
   }
@@ -180,6 +183,7 @@ class LineIntegrator {
     const double middle = begin + 0.5 * width;
     // By halves: a line that turns back, as around a blunt end, has its ends beside one another.
     const double reach = std::abs(x(begin) - x(middle)) + std::abs(x(middle) - x(begin + width));
+    // On the water even the shortest waves have all of their height.
     if (halvings < kMostHalvings && scales_.along * reach > kLinePhase) {
       add(begin, 0.5 * width, halvings + 1);
       add(middle, 0.5 * width, halvings + 1);

@@ -150,6 +150,7 @@ MichellIntegral::MichellIntegral(const analysis::HullBody& body,
 
 double MichellIntegral::wave_number(double speed) const {
   const double froude = speed / std::sqrt(gravity_ * length());
+  // Asked in this way, NaN is refused, too.
   if (!(froude >= kLeastFroude && froude <= kMostFroude)) {
     throw std::invalid_argument(
         "The speed of " + std::to_string(speed) + " m/s is no speed for Michell's integral: on " +
@@ -190,11 +191,13 @@ std::vector<WaveResistance> MichellIntegral::resistance(const std::vector<double
   while (!open.empty()) {
     std::vector<WaveRange> own;
     for (std::size_t i : open) own.push_back(ranges[i]);
+    // All speeds that are left share the next grid.
     const SourceGrid grid = sources(scales_for(own));
     WaveSums sums(grid);
     std::vector<std::size_t> unsettled;
     for (std::size_t i : open) {
       auto& [nu, shortest] = ranges[i];
+      // What was summed on a coarser grid goes along.
       integrals[i] = sums.integral(nu, tolerance_, shortest, std::move(integrals[i]));
       const WaveIntegral& integral = integrals[i];
       results[i] = {speeds[i], factor(nu) * integral.value, factor(nu) * integral.error,
@@ -241,6 +244,7 @@ analysis::Gradient MichellIntegral::gradient_to(const analysis::BodyDerivatives&
   }
   const WaveScales scales = scales_for({{nu, shortest * kRounded}});
   SourceGrid grid = sources(scales);
+  // From here on the grid holds φ, by which R changes with a source at each place.
   take_derivatives(WaveSums(grid).integral(nu, 0.0, shortest * kRounded), grid);
   const double factor = side_factor() * this->factor(nu);
   const surface::LimitSurface& surface = body_->surface();

@@ -154,6 +154,7 @@ void SourceGrid::take_all() {
 }
 
 SourceGrid::Waves SourceGrid::within(const Layer& layer, const Eigen::VectorXd& k) {
+  // From the middle of a rectangle, whichever of its layer.
   const Eigen::MatrixXd phases =
       k * (layer.width * (Along::get().nodes().array() - 0.5).matrix()).transpose();
   return {phases.array().cos(), phases.array().sin()};
@@ -172,6 +173,7 @@ SourceGrid::Interpolation SourceGrid::interpolation(const Layer& layer, const Ei
   const double low = k.minCoeff(), range = k.maxCoeff() - low;
   // No node is farther than half a rectangle from its middle.
   const int nodes = nodes_for(0.5 * range * layer.width);
+  // As many waves as are asked for: these are summed themselves.
   if (nodes >= k.size()) {
     return padded({within(layer, k), Eigen::MatrixXd::Identity(k.size(), k.size())});
   }
@@ -199,6 +201,7 @@ Eigen::MatrixXcd SourceGrid::sums(int layer, std::span<const double> wave_number
   const Layer& own = layers_[layer];
   const auto count = static_cast<Eigen::Index>(wave_numbers.size());
   const Interpolation by = interpolation(own, as_vector(wave_numbers));
+  // Rows beyond those asked for have k = 0 and no polynomial: they stay zero.
   Eigen::ArrayXd k = Eigen::ArrayXd::Zero(by.polynomials.rows());
   k.head(count) = as_vector(wave_numbers).array();
   const Eigen::ArrayXd step_cos = (k * own.width).cos(), step_sin = (k * own.width).sin();
@@ -250,6 +253,7 @@ void SourceGrid::add_back(int layer, std::span<const double> wave_numbers,
 
 void SourceGrid::differentiate() {
   for (Layer& layer : layers_) {
+    // x runs down the columns, the depth along the rows of each panel's own columns.
     layer.by_x = Along::get().slopes() * layer.strengths / layer.width;
     layer.by_depth.resize(kAlong, layer.strengths.cols());
     for (int panel = 0; panel < layer.panels; ++panel) {

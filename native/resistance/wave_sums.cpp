@@ -84,6 +84,7 @@ WaveSums::Complex WaveSums::amplitude(const Table& table, double decay, const Ro
   for (int layer = 0; layer < grid_.layer_count(); ++layer) {
     // Layers come from the water down: below one that the wave does not reach it reaches none.
     if (table[layer].size() == 0 || decay * grid_.top(layer) > WaveScales::kReach) break;
+    // The sums are of waves along x, by nodes' depths: what is left is how each depth is reached.
     const Eigen::Array<double, 1, SourceGrid::kDown> fall = (-decay * grid_.depths(layer)).exp();
     sum += (row(table[layer]).array() * fall).sum();
   }
@@ -146,6 +147,7 @@ double WaveSums::add_interval(double nu, int interval, WaveIntegral& integral) {
   const Table& table = interval_table(interval);
   double sum = 0.0;
   for (int i = 0; i < kNodes; ++i) {
+    // With k = ν λ, dλ = dk / ν.
     const double lambda = nodes[i] / nu, decay = nodes[i] * lambda;
     const double weight =
         rule.weights[i] * width_ / nu * lambda * lambda / std::sqrt(lambda * lambda - 1.0);
@@ -192,6 +194,7 @@ WaveIntegral WaveSums::integral(double nu, double tolerance, double shortest, Wa
 void take_derivatives(const WaveIntegral& integral, SourceGrid& grid) {
   grid.set_zero();
   const std::vector<SummedWave>& waves = integral.waves;
+  // Many waves make one product of matrices in add_back().
   for (std::size_t begin = 0; begin < waves.size(); begin += kBatch) {
     const std::size_t count = std::min<std::size_t>(kBatch, waves.size() - begin);
     std::vector<double> along(count);

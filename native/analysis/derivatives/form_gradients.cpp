@@ -74,6 +74,7 @@ Gradient FormNumbers::extent_gradient(int axis, Part part) {
   if (!found.high.found) return zero();
   const Vector3d direction = axis == 0 ? forward_direction(position_.trim, 0.0) : Vector3d::UnitY();
   const Gradient high = farthest_gradient(found.high, direction, part);
+  // Athwartships, of a half: the image moves as far to the other side.
   if (!found.low.found) return 2.0 * high;
   return high + farthest_gradient(found.low, -direction, part);
 }

@@ -37,6 +37,7 @@ class ArcIntegrator {
         {restricted(h, cut.u, cut.v, cut.size), {}, restricted(b, cut.u, cut.v, cut.size), 1.0},
         0.0,
         1.0};
+    // Nets are turned as the square is, so that arcs are functions of u again.
     if (cut.swapped) {
       strip.square.h = transposed(strip.square.h);
       strip.square.b = transposed(strip.square.b);
@@ -81,6 +82,7 @@ class ArcIntegrator {
 
   void integrate(const CutSquare& cut, const Strip& strip, double begin, double end, int depth) {
     const EstimatingRule& rule = EstimatingRule::of(kNodes);
+    // From the arc's parameter to the strip's, the square's and the span's.
     const double width = end - begin, scale = width * (strip.end - strip.begin) * cut.size;
     Eigen::Matrix<double, 16, 3> part = Eigen::Matrix<double, 16, 3>::Zero();
     EstimatingRule::Values shares{};

@@ -39,6 +39,7 @@ HULL_WIDE void sum_along_u(const surface::BicubicPoints& points, const LineRule&
       // Point (a, b) begins at 12 b + 3 a.
       const double* p = point + 12 * b + c;
       for (int i = 0; i < lanes; ++i) {
+        // Once for all rows of nodes: along v a place then takes four terms, not sixteen.
         cubics.at[b][c][i] = u.values[0][i] * p[0] + u.values[1][i] * p[3] + u.values[2][i] * p[6] +
                              u.values[3][i] * p[9];
         cubics.by_u[b][c][i] = u.slopes[0][i] * p[0] + u.slopes[1][i] * p[3] +

@@ -98,6 +98,7 @@ SectionArea largest_section(const StationCutter& cutter, const Plane& water) {
   if (!(end > begin)) return {};
   const HullBody& body = cutter.body();
   const double size = body.surface().mesh().size();
+  // Three nodes an arc, and errors that none has: nothing is halved.
   const ArcRule rough{3, size * size, size, kDeepestScanned},
       rule = arc_rule(size, std::max(kSearched, body.tolerance()));
   std::vector<SectionArea> scan;

@@ -31,6 +31,7 @@ void add_cubic(const BezierCubic& x, const BezierCubic& z, const BezierCubic& y,
   for (double t : sign_changes(y)) breaks.push_back(t);
   breaks.push_back(1.0);
   for (std::size_t k = 0; k + 1 < breaks.size(); ++k) {
+    // The port side's alone; of a half y is given as zero, and all counts.
     if (evaluate(y, 0.5 * (breaks[k] + breaks[k + 1])) < 0.0) continue;
     add_chords(at, breaks[k], breaks[k + 1], kBorderChords, outline);
   }

@@ -124,6 +124,7 @@ std::optional<double> StationCutter::distance_of_flats(double position) const {
     const double own = farthest(points, position);
     if (own <= most) distance = std::max(distance.value_or(0.0), own);
   };
+  // By control points, in whose hull the parts lie.
   for (int i = 0; i < surface.layout().leaf_count(); ++i) take(surface.leaf(i));
   for (int i = 0; i < surface.layout().corner_count(); ++i) take(surface.corner(i).outer);
   for (const BorderEdge& edge : body_->border()) take(edge.points);
