@@ -16,6 +16,7 @@ using analysis::CutSquare;
 using analysis::GaussRule;
 using analysis::SpanNode;
 
+// Ten nodes do for a phase of 8.2 (wave_rules()).
 constexpr double kLinePhase = 8.0;  // over an interval of the waterline, of kOnLine nodes
 constexpr int kOnLine = 10;
 constexpr double kFirstDecays = 4.0;     // of the shortest waves, from the water down

@@ -88,6 +88,8 @@ SourceGrid::SourceGrid(double aft, double forward, double deepest, const WaveSca
   while (top < deepest) {
     Layer layer;
     layer.top = top;
+    // Between a depth and its double, twelve nodes miss exp(-K d) by 2e-10 at most, K d being about
+    // 9.
     layer.height = top > 0.0 ? top : kFirstDecay / scales.decay;
     layer.panels =
         std::max(1, static_cast<int>(std::ceil(length_ * scales.along_at(top) / kPhase)));
