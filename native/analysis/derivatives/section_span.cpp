@@ -15,7 +15,7 @@ namespace {
 constexpr int kNodes = 10;
 constexpr int kDeepestClip = 12;
 constexpr int kDeepestArc = 8;
-constexpr double kSettledOfSize = 1e-12;  // of an area by a shift, m² by m: of the size
+constexpr double kSettledOfSize = 1e-12;  // of the size: of what a shift adds to the area, m
 
 // A part [begin, end] of the square's u, over which the nets are restricted: b is the height above
 // the water, and a is not used.

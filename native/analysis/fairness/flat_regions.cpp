@@ -169,7 +169,7 @@ class RegionFinder {
       const Plane plane = fit_plane(points_[cell]).plane;
       if (lies_in(points_[cell], plane, tolerance_)) seeds.push_back({cell, plane});
     }
-    // The largest cell has the best plane, and takes in the smaller ones around it.
+    // A large cell tells its plane better than a small one, and takes in those around it.
     std::stable_sort(seeds.begin(), seeds.end(),
                      [&](const Seed& a, const Seed& b) { return area(a.cell) > area(b.cell); });
     std::vector<FlatRegion> regions;

@@ -94,7 +94,7 @@ SectionCourse::Segment SectionCourse::segment_between(int a, int b) const {
   Segment best{-1, {}, {}, false, {}, {}};
   std::optional<double> best_height;
   // Places on sides and at corners are in several cells; if two points have more than one in
-  // common, the curve is in that where the way between them stays nearer to the plane.
+  // common, the curve is taken to be in that where the way between them stays nearer to the plane.
   for (const surface::CellPlace& q : to) {
     for (const surface::CellPlace& p : from) {
       if (p.cell != q.cell) continue;

@@ -57,8 +57,7 @@ void Matcher::match(std::vector<End>& ends, double tolerance, int spot) {
       if (distance <= tolerance) meetings_.push_back({distance, ends[i].index, ends[j].index});
     }
   }
-  // Each end is joined to the nearest that is free; equally near ones by their numbers, so that the
-  // outcome does not depend on how ends were sorted.
+  // Each end is joined to the nearest that is free; equally near ones go by their numbers.
   std::sort(meetings_.begin(), meetings_.end(), [](const Meeting& x, const Meeting& y) {
     return std::tie(x.distance, x.a, x.b) < std::tie(y.distance, y.a, y.b);
   });
