@@ -25,12 +25,14 @@ void for_each_border_edge(const Topology& topology, const Visit& visit) {
 // The borders' vertices, loop by loop.
 std::vector<std::vector<int>> border_loops(const Topology& topology, std::size_t vertex_count) {
   std::vector<int> next(vertex_count, -1);
+  // A manifold's border leaves each of its vertices once, so that it falls into loops.
   for_each_border_edge(topology, [&](int a, int b) { next[a] = b; });
   std::vector<std::vector<int>> loops;
   for (std::size_t first = 0; first < vertex_count; ++first) {
     std::vector<int> loop;
     for (int v = static_cast<int>(first); next[v] >= 0;) {
       loop.push_back(v);
+      // Taken out as it is followed: each loop is found once.
       v = std::exchange(next[v], -1);
     }
     if (!loop.empty()) loops.push_back(std::move(loop));
@@ -42,6 +44,8 @@ std::vector<std::vector<int>> border_loops(const Topology& topology, std::size_t
 void add_gaps(const std::vector<int>& chain, const std::vector<bool>& is_on,
               std::vector<int>& found) {
   const auto on = [&](int v) { return is_on[v]; };
+  // What comes before the first point on the plane, or after the last, is no gap: the border leaves
+  // the plane there.
   const auto begin = std::ranges::find_if(chain, on);
   const auto end = std::find_if(chain.rbegin(), chain.rend(), on).base();
   if (begin >= end) return;
@@ -57,6 +61,7 @@ std::vector<Eigen::Vector3d> points_with_centre_line(const ControlMesh& mesh) {
   const double on = kOnCentrePlane * mesh.size();
   std::vector<Eigen::Vector3d> result = points;
   for_each_border_edge(mesh.topology(), [&](int a, int b) {
+    // By the points as they were given, so that the order of edges does not count.
     if (std::abs(points[a].y()) <= on && std::abs(points[b].y()) <= on) {
       result[a].y() = result[b].y() = 0.0;
     }

@@ -23,6 +23,7 @@ ControlMesh::ControlMesh(MeshArrays arrays) {
   if (!problems.empty() && problems.front().severity == Severity::kError) {
     throw std::invalid_argument(problems.front().message);
   }
+  // Errors come first: without one in front all problems are warnings.
   tags_ = std::make_shared<const Tags>(
       Tags{Topology(static_cast<int>(arrays.points.size()), arrays.face_sizes, arrays.face_vertices,
                     arrays.creases, arrays.corners, arrays.round_border_corners),
@@ -37,11 +38,13 @@ ControlMesh ControlMesh::with_points(std::vector<Eigen::Vector3d> points) const 
                                 std::to_string(points.size()) + " positions were given.");
   }
   for (std::size_t i = 0; i < points.size(); ++i) {
+    // Of all that check_mesh() refuses these and the size alone depend on where points are.
     if (!points[i].allFinite() || points[i].cwiseAbs().maxCoeff() > kMaxCoordinate) {
       throw std::invalid_argument("The position given for point " + std::to_string(i) +
                                   " is not finite or too far away.");
     }
   }
+  // As check_mesh() has it, of the faces' points alone: others give the surface no extent.
   Eigen::AlignedBox3d box;
   for (int h = 0; h < topology().half_edge_count(); ++h) box.extend(points[topology().origin(h)]);
   if (box.sizes().maxCoeff() < kLeastSize) {
@@ -59,6 +62,7 @@ std::vector<int> ControlMesh::irregular_vertices() const {
   std::vector<int> vertices;
   std::vector<char> irregular(t.vertex_count(), 0);
   for (int h = 0; h < t.half_edge_count(); ++h) {
+    // Sector by sector: a vertex is regular only if all of its sectors are.
     const int faces = t.sector_faces(h);
     switch (t.kind_at(h)) {
       case VertexKind::kSmooth:

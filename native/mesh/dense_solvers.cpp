@@ -37,6 +37,7 @@ bool are_independent(const MatrixXd& rows, double least) {
   if (rows.rows() == 0) return true;
   if (rows.rows() > rows.cols()) return false;
   const Eigen::ColPivHouseholderQR<MatrixXd> factors(rows.transpose());
+  // With pivoting the diagonal falls: its last element is what is left of a row after all others.
   return factors.matrixR().diagonal().cwiseAbs().minCoeff() > least;
 }
 

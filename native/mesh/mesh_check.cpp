@@ -67,6 +67,7 @@ bool check_arrays(const MeshArrays& mesh, std::vector<MeshProblem>& problems) {
                 problems);
     return true;
   };
+  // Before all else: beyond these limits the numbers below do not fit into int.
   if (too_many(mesh.points.size(), kMaxPoints, "points") ||
       too_many(mesh.face_vertices.size(), kMaxHalfEdges, "face corners") ||
       too_many(mesh.face_sizes.size(), kMaxHalfEdges, "faces")) {
@@ -78,6 +79,7 @@ bool check_arrays(const MeshArrays& mesh, std::vector<MeshProblem>& problems) {
                 "A face needs at least three: add corners, or delete the face."};
   Finding large{Severity::kError, ElementKind::kFace, "has more than 128 corners",
                 "have more than 128 corners", "Cut into smaller faces."};
+  // Sizes may be anything yet, and their sum too large for int.
   std::int64_t total = 0;
   for (std::size_t f = 0; f < mesh.face_sizes.size(); ++f) {
     const int size = mesh.face_sizes[f];
@@ -139,6 +141,7 @@ void check_points(const MeshArrays& mesh, std::vector<MeshProblem>& problems) {
 void check_size(const MeshArrays& mesh, std::vector<MeshProblem>& problems) {
   Eigen::AlignedBox3d box;
   for (int v : mesh.face_vertices) box.extend(mesh.points[v]);
+  // Of a point that is no number check_points() has told.
   if (!box.sizes().allFinite() || box.sizes().maxCoeff() >= kLeastSize) return;
   std::ostringstream words;
   words << "The mesh has no size: all points of its faces lie at (" << box.center().x() << ", "
@@ -167,6 +170,8 @@ class Connectivity {
       const int a = mesh.face_vertices[h], b = mesh.face_vertices[next(h)];
       sides_.push_back({std::min(a, b), std::max(a, b), h, a < b});
     }
+    // An edge's half-edges come together, in the order of their numbers: no two keys are the same,
+    // so that what is found comes in one order everywhere.
     std::sort(sides_.begin(), sides_.end(), [](const Side& x, const Side& y) {
       return std::tie(x.low, x.high, x.half_edge) < std::tie(y.low, y.high, y.half_edge);
     });
@@ -221,12 +226,14 @@ class Connectivity {
   int fan_size(int h, bool& closed) const {
     int faces = 1;
     for (int i = twin_[prev(h)]; i >= 0; i = twin_[prev(i)]) {
+      // Pairs are one to one: a turn that meets no border comes back to h itself.
       if (i == h) {
         closed = true;
         return faces;
       }
       ++faces;
     }
+    // A border ended the turn: the rest of the fan lies to the other side of h.
     for (int i = twin_[h]; i >= 0; i = twin_[next(i)]) ++faces;
     closed = false;
     return faces;
@@ -284,6 +291,7 @@ void check_fans(const MeshArrays& mesh, const Connectivity& connectivity,
     if (a != b && connectivity.has_edge(a, b)) unique.push_back({std::min(a, b), std::max(a, b)});
   }
   std::sort(unique.begin(), unique.end());
+  // An edge may be named twice, or from both ends.
   unique.erase(std::unique(unique.begin(), unique.end()), unique.end());
   for (const auto& [a, b] : unique) {
     ++creases[a];
@@ -295,9 +303,12 @@ void check_fans(const MeshArrays& mesh, const Connectivity& connectivity,
       continue;
     }
     bool closed = false;
+    // Where fans meet in a point alone, turning within one of them misses the others.
     if (connectivity.fan_size(start[v], closed) != faces[v]) pinched.elements.push_back(v);
     if (faces[v] > kMaxValence) crowded.elements.push_back(v);
     if (closed && faces[v] == 2 && creases[v] < 2) thin.elements.push_back(v);
+    // Its two borders, a second time where they are tagged: that it is two or more is all that
+    // counts.
     if (!closed) creases[v] += 2;
   }
   for (int v : mesh.corners) {
@@ -322,6 +333,7 @@ void check_shape(const MeshArrays& mesh, const Connectivity& connectivity,
     // Twice the vector area, and the scale against which it is nothing.
     Eigen::Vector3d area = Eigen::Vector3d::Zero();
     double scale = 0.0;
+    // From a corner: products of coordinates far from the origin would cancel.
     const Eigen::Vector3d& origin = mesh.points[mesh.face_vertices[connectivity.begin(f)]];
     for (int h = connectivity.begin(f); h < connectivity.begin(f + 1); ++h) {
       const Eigen::Vector3d a = mesh.points[mesh.face_vertices[h]] - origin;
@@ -347,6 +359,7 @@ std::vector<MeshProblem> check_mesh(const MeshArrays& mesh) {
   check_size(mesh, problems);
   if (check_repeats(mesh, problems)) {
     Connectivity connectivity(mesh);
+    // A turn around a point needs edges with one twin at most.
     if (connectivity.pair_sides(problems)) check_fans(mesh, connectivity, problems);
     check_shape(mesh, connectivity, problems);
   }

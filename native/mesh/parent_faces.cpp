@@ -39,6 +39,7 @@ class Part {
   }
   Part(const Part&) = delete;
   Part& operator=(const Part&) = delete;
+  // Only what was written is put back: many small parts of a large mesh cost no more than one.
   ~Part() {
     for (int f : faces_) forget(f);
   }
@@ -51,9 +52,13 @@ class Part {
     ParentFaces result;
     for (int f : faces_) {
       int h = mesh_.first_half_edge(f);
+      // Its cell went to a parent's face before.
       if (phase_[h] == kUnknown) continue;
+      // Without oddities each face has all four phases, one after the other.
       while (phase_[h] != kAtVertex) ++h;
       int size = 0;
+      // Neither border nor crease runs into a parent's face, so that the turn ends where it began,
+      // at a cell that is taken already.
       for (; phase_[h] != kUnknown; ++size) {
         result.cells.push_back(h);
         forget(mesh_.face(h));
@@ -72,6 +77,8 @@ class Part {
 
   void spread(int face, int start) {
     std::vector<int> waiting;
+    // A half-edge's phase decides those of its face; these decide, across the edges, the
+    // neighbours'.
     const auto enter = [&](int h, int phase) {
       if (phase_[h] != kUnknown) {
         if (phase_[h] != phase) {
@@ -90,8 +97,11 @@ class Part {
     while (!waiting.empty()) {
       const int h = waiting.back();
       waiting.pop_back();
+      // Seen from the other side the way from a vertex, 0, is the one back to it, 3; and so are 1
+      // and 2.
       if (mesh_.twin(h) >= 0) enter(mesh_.twin(h), 3 - phase_[h]);
     }
+    // In the order of the mesh, whichever way the part was walked.
     std::sort(faces_.begin(), faces_.end());
   }
 
@@ -106,6 +116,7 @@ class Part {
         oddities_.add("a crease would run into a face at " + name);
       }
     }
+    // Vertex points may be of any kind, with any number of faces.
     if (mesh_.outgoing(mesh_.origin(h)) != h || phase == kAtVertex) return;
     const VertexKind kind = mesh_.kind(mesh_.origin(h));
     const int faces = faces_around(h);
@@ -115,6 +126,7 @@ class Part {
       if (faces < 3) oddities_.add(name + " would be the middle of a face with two corners");
       return;
     }
+    // At a border outgoing() is the half-edge without a twin.
     const int wanted = mesh_.twin(h) < 0 ? 2 : 4;
     if (faces != wanted) {
       oddities_.add(name + " needs " + std::to_string(wanted) +
@@ -161,6 +173,7 @@ std::vector<std::vector<ParentFaces>> parent_faces(const Topology& mesh) {
     if (is_known[face]) continue;
     std::vector<ParentFaces> ways;
     std::optional<Oddities> least;
+    // The phase of one half-edge decides those of its whole part: there are four ways at most.
     for (int start = 0; start < 4; ++start) {
       Part part(mesh, face, start, phase);
       for (int f : part.faces()) is_known[f] = 1;

@@ -36,6 +36,7 @@ Topology::Topology(int vertex_count, const std::vector<int>& face_sizes,
     const int start = outgoing_[a];
     for (int h = start; h >= 0;) {
       const int incoming = prev(h);
+      // By half-edges that leave a and such that come in: of a border there is one only.
       if (origin_[next(h)] == b) {
         crease_[h] = 1;
         if (twin_[h] >= 0) crease_[twin_[h]] = 1;
@@ -71,7 +72,9 @@ void Topology::find_edges(const std::vector<int>& face_sizes,
   for (int e = 0; e < edge_count_; ++e) {
     const far::ConstIndexArray faces = level.GetEdgeFaces(e);
     const far::ConstLocalIndexArray sides = level.GetEdgeFaceLocalIndices(e);
+    // Others were refused by check_mesh().
     assert(faces.size() == 1 || faces.size() == 2);
+    // Side k of a face is the half-edge that leaves its corner k.
     const int h = face_begin_[faces[0]] + sides[0];
     edge_[h] = e;
     if (faces.size() == 2) {
@@ -95,8 +98,10 @@ void Topology::find_outgoing() {
 void Topology::find_sectors() {
   sector_faces_.assign(origin_.size(), 0);
   for (int start = 0; start < half_edge_count(); ++start) {
+    // All half-edges of a sector are filled in at once, so that each sector is walked but once.
     if (sector_faces_[start] > 0) continue;
     int first = start;
+    // Clockwise to the crease that the sector begins at, or once around.
     for (int h = turn_right(*this, first); h >= 0 && h != start; h = turn_right(*this, h)) {
       first = h;
     }
@@ -117,6 +122,7 @@ void Topology::find_kinds(const std::vector<int>& corners, bool round_border_cor
   std::vector<int> creases(kind_.size(), 0);
   std::vector<std::uint8_t> cornered(kind_.size(), 0);
   for (int h = 0; h < half_edge_count(); ++h) {
+    // By edges: each counts once at either end.
     if (!is_crease(h) || !is_edge_front(h)) continue;
     ++creases[origin_[h]];
     ++creases[origin_[next(h)]];
@@ -134,6 +140,7 @@ void Topology::find_kinds(const std::vector<int>& corners, bool round_border_cor
     } else if (cornered[v]) {
       kind_[v] = VertexKind::kCone;
     } else {
+      // Three and more are corners already.
       constexpr VertexKind kByCreases[] = {VertexKind::kSmooth, VertexKind::kDart,
                                            VertexKind::kCrease};
       kind_[v] = kByCreases[creases[v]];
@@ -162,6 +169,8 @@ Topology Topology::refined() const {
     fine.crease_[h] = view.is_crease(h);
     fine.sector_faces_[h] = view.sector_faces(h);
   }
+  // All half-edges of a vertex tell one kind. Vertices without faces have none to tell it, and are
+  // smooth whatever their tag was: nothing refers to them.
   fine.kind_.assign(view.vertex_count(), VertexKind::kSmooth);
   for (int h = 0; h < half_edges; ++h) fine.kind_[fine.origin_[h]] = view.kind_at(h);
   fine.find_outgoing();

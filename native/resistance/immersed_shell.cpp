@@ -16,6 +16,7 @@ using analysis::CutSquare;
 using analysis::GaussRule;
 using analysis::SpanNode;
 
+// Ten nodes do for a phase of 8.2 (wave_rules()).
 constexpr double kLinePhase = 8.0;  // over an interval of the waterline, of kOnLine nodes
 constexpr int kOnLine = 10;
 constexpr double kFirstDecays = 4.0;     // of the shortest waves, from the water down
@@ -69,9 +70,12 @@ struct SpanSheet {
   };
 
   Column column(double s) const {
+    // Of the span's parameters.
     const double area = square.size * square.size;
     if (square.side == CutSquare::Side::kBelow) return {s, 0.0, 1.0, area};
     const analysis::WetColumn wet(square, s);
+    // The end on the water comes first: `to` of a column that begins wet, `from` of one that ends
+    // so.
     const double begin = wet.to < 1.0 ? wet.to : wet.from, end = wet.to < 1.0 ? wet.from : wet.to;
     return {s, begin, end, wet.any ? area * std::abs(end - begin) : 0.0};
   }
@@ -98,14 +102,17 @@ class SheetIntegrator {
 
   void add(const Rectangle& rectangle, int halvings = 0) {
     const Spread spread = spread_of(rectangle);
+    // Phases are those of waves that reach the upper side: further down rectangles may be longer.
     const double along = scales_.along_at(spread.top);
     const double phase_s = along * spread.x_by_s, phase_t = along * spread.x_by_t;
+    // From the water down to that depth no wave falls off by more than the rules allow for.
     const double shallow = std::max(spread.top, kFirstDecays / scales_.decay);
     const double decay_s = spread.depth_by_s / shallow, decay_t = spread.depth_by_t / shallow;
     const bool turns = std::max(phase_s, phase_t) > kMostPhase;
     if (halvings < kMostHalvings && (turns || decay_s + decay_t > 1.0)) {
       return halve(rectangle, turns ? phase_s >= phase_t : decay_s >= decay_t, halvings);
     }
+    // Phase and decay are the two parts of one complex exponent.
     add_nodes(rectangle, wave_rule(std::hypot(phase_s, kFirstDecays * decay_s)),
               wave_rule(std::hypot(phase_t, kFirstDecays * decay_t)));
   }
@@ -175,7 +182,9 @@ class LineIntegrator {
   void add(double begin, double width, int halvings = 0) {
     const auto x = [&](double s) { return frame_.x(sheet_.at(sheet_.column(s), 0.0).node.point); };
     const double middle = begin + 0.5 * width;
+    // By halves: a line that turns back, as around a blunt end, has its ends beside one another.
     const double reach = std::abs(x(begin) - x(middle)) + std::abs(x(middle) - x(begin + width));
+    // On the water even the shortest waves have all of their height.
     if (halvings < kMostHalvings && scales_.along * reach > kLinePhase) {
       add(begin, 0.5 * width, halvings + 1);
       add(middle, 0.5 * width, halvings + 1);
@@ -189,6 +198,7 @@ class LineIntegrator {
       const SpanNode at = analysis::node_of(sheet_.points, sheet_.square, s, wet.at_water());
       const double slope = analysis::slope_across(sheet_.square, at, frame_.water);
       const double weight = rule.weights[i] * width * sheet_.square.size;
+      // Where the water is tangent to the surface, a strip has no finite width.
       if (slope > 0.0) visitor_.at_water(at, weight / slope);
     }
   }
@@ -210,6 +220,7 @@ bool reaches_below(const Points& points, const WayFrame& frame) {
 
 void visit_span(const surface::BicubicPoints& points, const WayFrame& frame,
                 const WaveScales& scales, ShellVisitor& visitor) {
+  // A span lies within the convex hull of its points.
   if (!reaches_below(points, frame)) return;
   cut_piece(analysis::heights(points, frame.water, frame.zero), [&](const CutSquare& square) {
     if (square.side == CutSquare::Side::kAbove) return;
@@ -234,6 +245,8 @@ void visit_shell(const analysis::HullBody& body, const WayFrame& frame, const Wa
   }
   for (int corner = 0; corner < layout.corner_count(); ++corner) {
     const surface::CornerBasis& basis = layout.basis(corner);
+    // Around an irregular point rings of spans follow one another, each half as large, without an
+    // end.
     surface::CornerRing ring(basis, surface.corner(corner));
     for (; goes_on(ring.points(), frame, surface.mesh().size()); ring.advance()) {
       for (int s = 0; s < basis.segment_count(); ++s) {
@@ -244,6 +257,7 @@ void visit_shell(const analysis::HullBody& body, const WayFrame& frame, const Wa
 }
 
 bool goes_on(const std::vector<Vector3d>& square, const WayFrame& frame, double size) {
+  // From one of the points: half of the diameter at least, in one pass.
   double farthest = 0.0;
   for (const Vector3d& p : square) farthest = std::max(farthest, (p - square[0]).squaredNorm());
   return std::sqrt(farthest) >= kSmallestWhole * size && reaches_below(square, frame);

@@ -51,6 +51,7 @@ bool is_on_centre_plane(const mesh::ControlMesh& mesh, const analysis::Plane& wa
     for (int h = first; h < first + topology.face_size(face); ++h) {
       const Vector3d& a = mesh.points()[topology.origin(h)];
       const Vector3d& b = mesh.points()[topology.origin(topology.next(h))];
+      // What joins the hulls of a catamaran above the water does not put them on the plane.
       if (std::min(water.height(a), water.height(b)) >= 0.0) continue;
       if (a.y() * b.y() <= 0.0 || std::min(std::abs(a.y()), std::abs(b.y())) <= near) return true;
     }
@@ -84,7 +85,9 @@ class SpreadingDerivatives : public ShellVisitor {
   void at_node(const SpanNode& node, double weight) override {
     const SourceGrid::Jet jet = grid_.at(frame_.x(node.point), frame_.depth(node.point));
     const double w = factor_ * weight;
+    // Depth grows against the water's normal.
     const Vector3d by_place = jet.by_x * frame_.ahead - jet.by_depth * frame_.water.normal;
+    // The triple product ahead · (S_u x S_v), by S_u and by S_v, in cyclic order.
     columns_ += node.at * (w * frame_.ahead.dot(node.normal) * by_place).transpose() +
                 node.du * (w * jet.value * node.along_v.cross(frame_.ahead)).transpose() +
                 node.dv * (w * jet.value * frame_.ahead.cross(node.along_u)).transpose();
@@ -92,6 +95,7 @@ class SpreadingDerivatives : public ShellVisitor {
 
   void at_water(const SpanNode& node, double weight) override {
     const double value = grid_.at(frame_.x(node.point), 0.0).value;
+    // Where the shell rises a strip of it leaves the water.
     columns_ -= node.at * (factor_ * weight * value * frame_.ahead.dot(node.normal) *
                            frame_.water.normal.transpose());
   }
@@ -134,6 +138,7 @@ MichellIntegral::MichellIntegral(const analysis::HullBody& body,
         "one hull of a catamaran there; what both do to each other's waves is then left out.");
   }
   const std::vector<Vector3d>& points = body.surface().mesh().points();
+  // Of control points, whose convex hull holds the surface: no source lies beside the grid.
   aft_ = forward_ = frame_.x(points[0]);
   deepest_ = 0.0;
   for (const Vector3d& p : points) {
@@ -145,6 +150,7 @@ MichellIntegral::MichellIntegral(const analysis::HullBody& body,
 
 double MichellIntegral::wave_number(double speed) const {
   const double froude = speed / std::sqrt(gravity_ * length());
+  // Asked in this way, NaN is refused, too.
   if (!(froude >= kLeastFroude && froude <= kMostFroude)) {
     throw std::invalid_argument(
         "The speed of " + std::to_string(speed) + " m/s is no speed for Michell's integral: on " +
@@ -157,6 +163,7 @@ WaveScales MichellIntegral::scales_for(const std::vector<WaveRange>& ranges) con
   WaveScales scales{0.0, 0.0, 0.0};
   const double reach = WaveSums::least_reach(length());
   for (const auto& [nu, shortest] : ranges) {
+    // Integrals go on for a few intervals of k, however long the waves that are asked for.
     const double along = std::max(nu * shortest, reach);
     scales.slowest = std::max(scales.slowest, nu);
     scales.along = std::max(scales.along, along);
@@ -184,11 +191,13 @@ std::vector<WaveResistance> MichellIntegral::resistance(const std::vector<double
   while (!open.empty()) {
     std::vector<WaveRange> own;
     for (std::size_t i : open) own.push_back(ranges[i]);
+    // All speeds that are left share the next grid.
     const SourceGrid grid = sources(scales_for(own));
     WaveSums sums(grid);
     std::vector<std::size_t> unsettled;
     for (std::size_t i : open) {
       auto& [nu, shortest] = ranges[i];
+      // What was summed on a coarser grid goes along.
       integrals[i] = sums.integral(nu, tolerance_, shortest, std::move(integrals[i]));
       const WaveIntegral& integral = integrals[i];
       results[i] = {speeds[i], factor(nu) * integral.value, factor(nu) * integral.error,
@@ -235,6 +244,7 @@ analysis::Gradient MichellIntegral::gradient_to(const analysis::BodyDerivatives&
   }
   const WaveScales scales = scales_for({{nu, shortest * kRounded}});
   SourceGrid grid = sources(scales);
+  // From here on the grid holds φ, by which R changes with a source at each place.
   take_derivatives(WaveSums(grid).integral(nu, 0.0, shortest * kRounded), grid);
   const double factor = side_factor() * this->factor(nu);
   const surface::LimitSurface& surface = body_->surface();

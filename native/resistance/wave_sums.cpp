@@ -26,6 +26,8 @@ struct IntervalRule {
     for (int i = 0; i < kNodes; ++i) {
       double product = 1.0;
       for (int j = 0; j < kNodes; ++j) {
+        // An interval of length 1 has the capacity 1/4: with its reciprocal products stay near 1.
+        // All weights have the same factor, which cancels out in polynomials().
         if (j != i) product *= 4.0 * (rule.nodes[i] - rule.nodes[j]);
       }
       barycentric[i] = 1.0 / product;
@@ -80,7 +82,9 @@ template <class Row>
 WaveSums::Complex WaveSums::amplitude(const Table& table, double decay, const Row& row) const {
   Complex sum = 0.0;
   for (int layer = 0; layer < grid_.layer_count(); ++layer) {
+    // Layers come from the water down: below one that the wave does not reach it reaches none.
     if (table[layer].size() == 0 || decay * grid_.top(layer) > WaveScales::kReach) break;
+    // The sums are of waves along x, by nodes' depths: what is left is how each depth is reached.
     const Eigen::Array<double, 1, SourceGrid::kDown> fall = (-decay * grid_.depths(layer)).exp();
     sum += (row(table[layer]).array() * fall).sum();
   }
@@ -113,6 +117,7 @@ void WaveSums::add_first(double nu, double end, WaveIntegral& integral) {
   const IntervalRule& rule = IntervalRule::get();
   const double middle = grid_.aft() + 0.5 * grid_.length();
   const double last = std::acosh(end / nu);
+  // Even in t: k changes by less than `end` times t, and phases over a part by less than kTurn.
   const int parts = 1 + static_cast<int>(std::ceil(last * end * length_ / kTurn));
   for (int part = 0; part < parts; ++part) {
     for (int i = 0; i < kNodes; ++i) {
@@ -125,6 +130,7 @@ void WaveSums::add_first(double nu, double end, WaveIntegral& integral) {
         const double node = (interval + rule.rule.nodes[k]) * width_;
         rows[k] *= std::polar(1.0, (along - node) * middle);
       }
+      // The singularity went into dt: cosh² t = λ² is all that is left.
       const double weight = rule.rule.weights[i] * last / parts * std::pow(std::cosh(t), 2);
       const Complex own = amplitude(
           interval_table(interval), decay,
@@ -141,6 +147,7 @@ double WaveSums::add_interval(double nu, int interval, WaveIntegral& integral) {
   const Table& table = interval_table(interval);
   double sum = 0.0;
   for (int i = 0; i < kNodes; ++i) {
+    // With k = ν λ, dλ = dk / ν.
     const double lambda = nodes[i] / nu, decay = nodes[i] * lambda;
     const double weight =
         rule.weights[i] * width_ / nu * lambda * lambda / std::sqrt(lambda * lambda - 1.0);
@@ -166,6 +173,7 @@ WaveIntegral WaveSums::integral(double nu, double tolerance, double shortest, Wa
        (interval + 1) * width_ <= reach; ++interval) {
     integral.parts.push_back(add_interval(nu, interval, integral));
     const int end = interval + 1, half = end / 2;
+    // The last octave of k, from its half on, has to be of whole intervals.
     if (half < first || end < first + kLeastIntervals) continue;
     double octave = 0.0;
     for (int k = half; k < end; ++k) octave += integral.parts[k - first];
@@ -173,6 +181,7 @@ WaveIntegral WaveSums::integral(double nu, double tolerance, double shortest, Wa
     integral.error = integral.errors[end] = octave / 3.0;
     const auto before = integral.errors.find(half);
     if (before != integral.errors.end() && octave > 0.0) {
+      // What the last doubling of λ made of the error.
       integral.fall = std::log2(before->second / integral.error);
     }
     integral.shortest = end * width_ / nu;
@@ -185,6 +194,7 @@ WaveIntegral WaveSums::integral(double nu, double tolerance, double shortest, Wa
 void take_derivatives(const WaveIntegral& integral, SourceGrid& grid) {
   grid.set_zero();
   const std::vector<SummedWave>& waves = integral.waves;
+  // Many waves make one product of matrices in add_back().
   for (std::size_t begin = 0; begin < waves.size(); begin += kBatch) {
     const std::size_t count = std::min<std::size_t>(kBatch, waves.size() - begin);
     std::vector<double> along(count);
@@ -196,6 +206,7 @@ void take_derivatives(const WaveIntegral& integral, SourceGrid& grid) {
       for (std::size_t i = 0; i < count; ++i) {
         const SummedWave& wave = waves[begin + i];
         factors.row(static_cast<Eigen::Index>(i)) =
+            // d|I|² = 2 Re(conj(I) dI).
             2.0 * wave.weight * std::conj(wave.amplitude) *
             (-wave.decay * grid.depths(layer)).exp().matrix().cast<std::complex<double>>();
       }

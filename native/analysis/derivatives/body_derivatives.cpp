@@ -70,6 +70,8 @@ ImmersionDerivatives BodyDerivatives::immersion(const Immersion& immersion) cons
   const Plane& water = immersion.water;
   PointColumns numbers = immersed_numbers(water, immersion, false);
   if (body_->mirrored()) {
+    // Upright both sides have the same integrals. Heeled the image is in the water as the side
+    // would be in the mirrored water.
     const bool upright = water.normal.y() == 0.0;
     const Plane mirrored{water.normal.cwiseProduct(kMirror), water.offset};
     numbers += image(upright ? numbers : immersed_numbers(mirrored, immersion, true), kImageSigns);
@@ -78,6 +80,8 @@ ImmersionDerivatives BodyDerivatives::immersion(const Immersion& immersion) cons
   result.volume = number(numbers, kVolume, 1.0);
   result.wetted_surface = number(numbers, kWettedSurface, 1.0);
   result.waterplane_area = number(numbers, kWaterplaneArea, 1.0);
+  // Moments are counted from the centres. So a change of the volume does not move its centre by
+  // itself, nor the shift of the centre of flotation change second moments, to first order.
   const double by_volume = immersion.volume > 0.0 ? 1.0 / immersion.volume : 0.0;
   const double by_area = immersion.waterplane_area > 0.0 ? 1.0 / immersion.waterplane_area : 0.0;
   for (int k = 0; k < 3; ++k) {
@@ -120,6 +124,7 @@ PointColumns BodyDerivatives::immersed_numbers(const Plane& water, const Immersi
     if (!goes_on(points.outer)) continue;
     int spans = 0;
     const auto add_span = [&](const surface::BicubicPoints& span, PointColumns& columns) {
+      // Each ring is half as large as the one before: behind the first fewer nodes will do.
       is_outer = spans++ < layout.basis(corner).segment_count();
       add_immersion_derivatives(span, frame, is_outer ? SpanRule::kExact : SpanRule::kSmall,
                                 columns);
@@ -132,6 +137,7 @@ PointColumns BodyDerivatives::immersed_numbers(const Plane& water, const Immersi
       body_->border(), body_->closings(), kCount,
       [&](const surface::BicubicPoints& points, PointColumns& columns) {
         add_immersion_derivatives(points, frame, SpanRule::kExact, columns);
+        // Closings are not wetted.
         columns.middleCols<3>(3 * kWettedSurface).setZero();
       },
       sum);
@@ -152,6 +158,7 @@ Gradient BodyDerivatives::section_area(double position, const Plane& water) cons
   PointColumns columns = section(station, water);
   if (body_->mirrored()) {
     const Plane mirrored{water.normal.cwiseProduct(kMirror), water.offset};
+    // Areas are even in y: the image's derivatives keep their signs.
     columns += water.normal.y() == 0.0 ? PointColumns(columns) : section(station, mirrored);
   }
   return columns;

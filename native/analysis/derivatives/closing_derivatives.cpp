@@ -29,6 +29,8 @@ struct ByCubics {
 ByCubics by_cubics(const PointColumns& by_points) {
   PointColumns near = PointColumns::Zero(4, by_points.cols()), far = near;
   for (int b = 0; b < 4; ++b) {
+    // Across the border a cap is a straight line, and the points of a line's cubic B-spline are its
+    // places at -1, 0, 1 and 2: point b is at b - 1.
     near += (2.0 - b) * by_points.middleRows(4 * b, 4);
     far += (b - 1.0) * by_points.middleRows(4 * b, 4);
   }
@@ -62,6 +64,8 @@ void add_centroid(const std::vector<ClosingPatch>& closings, std::size_t begin, 
       const Vector3d chord = c[k + 1] - c[k];
       const double l = chord.norm();
       if (!(l > 0.0)) continue;
+      // The centroid is ∑ l m / ∑ l, of chords' lengths l and middles m: the middle moves, and with
+      // its chord's length its share grows.
       const Vector3d arm = 0.5 * (c[k] + c[k + 1]) - centroid, along = chord / l;
       for (Eigen::Index column = 0; column < by_apex.size(); column += 3) {
         const Eigen::RowVector3d apex = by_apex.segment<3>(column);
@@ -88,9 +92,11 @@ void add_closing_derivatives(const std::vector<BorderEdge>& border,
       if (columns.isZero(0.0)) continue;
       ByCubics cubics = by_cubics(columns);
       if (is_athwartships(closings[i].cap)) {
+        // The far side has x and z of the border, and follows it in these.
         for (Eigen::Index y = 1; y < columns.cols(); y += 3) cubics.target.col(y).setZero();
         cubics.border += cubics.target;
       } else {
+        // The far side of a fan is the centroid, four times.
         by_apex += cubics.target.colwise().sum();
       }
       sum.add_border(static_cast<int>(i), cubics.border);

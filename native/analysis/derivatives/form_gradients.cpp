@@ -9,7 +9,7 @@ namespace {
 
 // Of the size: farthest points of the immersed part so near to the water are on the waterline.
 constexpr double kOnWater = 1e-9;
-// Products of a place's coordinates in a cell: on one of its sides.
+// Of a place's distance from a side of its cell, in (u, v): on it.
 constexpr double kOnSide = 1e-12;
 
 // Of waterplane_second for q qᵀ.
@@ -34,6 +34,7 @@ Vector3d out_of_water(const surface::LimitSurface& surface, const FarthestPoint&
     if (!along.isZero(0.0)) return along;
   }
   const Vector3d normal = surface.normal(point.cell, point.uv.x(), point.uv.y());
+  // The steepest way up in the tangent plane.
   return up - up.dot(normal) * normal;
 }
 
@@ -73,6 +74,7 @@ Gradient FormNumbers::extent_gradient(int axis, Part part) {
   if (!found.high.found) return zero();
   const Vector3d direction = axis == 0 ? forward_direction(position_.trim, 0.0) : Vector3d::UnitY();
   const Gradient high = farthest_gradient(found.high, direction, part);
+  // Athwartships, of a half: the image moves as far to the other side.
   if (!found.low.found) return 2.0 * high;
   return high + farthest_gradient(found.low, -direction, part);
 }
@@ -126,6 +128,7 @@ Gradient FormNumbers::gradient(FormNumber number) {
     case N::kBmTransverse:
     case N::kBmLongitudinal: {
       const Vector3d direction = number == N::kBmTransverse ? Vector3d::UnitY() : ahead;
+      // The quotient rule, with BM = I / ∇.
       return (inertia_gradient(direction) - value(number) * by_points().volume) / now.volume;
     }
     case N::kKmTransverse:
@@ -157,6 +160,7 @@ Gradient FormNumbers::gradient(FormNumber number) {
   Gradient sum = zero();
   if (whole == 0.0) return sum;
   for (const auto& [term, power] : coefficient(number).terms) {
+    // As in scaling(), by logarithms.
     sum += (power * whole / value(term)) * gradient(term);
   }
   return sum;

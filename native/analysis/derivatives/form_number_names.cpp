@@ -7,6 +7,7 @@
 namespace hull::analysis {
 
 const std::vector<std::string>& form_number_names() {
+  // In the order of FormNumber, whose values are their indices.
   static const std::vector<std::string> names{"displaced_volume",
                                               "displacement_t",
                                               "lcb",

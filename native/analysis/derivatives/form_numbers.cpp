@@ -44,6 +44,7 @@ const FormNumbers::Extent& FormNumbers::extent(int axis, Part part) {
   std::optional<Extent>& known = extents_[axis][static_cast<int>(part)];
   if (known) return *known;
   const HullBody& body = derivatives_->body();
+  // One search for all extents: which cells reach into the water is found once.
   if (!search_) search_.emplace(body.surface(), body.boxes(), water_);
   Extent extent;
   const Vector3d direction = axis == 0 ? forward_direction(position_.trim, 0.0) : Vector3d::UnitY();
@@ -75,14 +76,17 @@ double FormNumbers::immersed_draft() {
 }
 
 double FormNumbers::inertia(const Vector3d& direction) {
+  // About the axis that is across the direction: along y it is the transverse one.
   return direction.dot(immersion().waterplane_second * direction);
 }
 
 FormNumbers::Product FormNumbers::coefficient(FormNumber number) {
   using N = FormNumber;
+  // The immersed coefficients are the last of all.
   const bool immersed = number >= N::kImmersedBlock;
   const double draft = project_.draft > 0.0 ? project_.draft : position_.draft;
   Product product;
+  // A project's dimension is a factor; one that is measured is a term with a derivative of its own.
   const auto divide = [&](double fixed, FormNumber free) {
     if (immersed) {
       product.terms.emplace_back(free, -1);

@@ -27,9 +27,11 @@ Vector3d FormNumbers::scaling(FormNumber number, const Gradient& gradient) {
     const double whole = value(number);
     if (whole == 0.0) return sum;
     for (const auto& [term, power] : coefficient(number).terms) {
+      // d log(∏ term^power) = ∑ power · d log term.
       sum += power * whole / value(term) * scaling(term, this->gradient(term));
     }
     if (number >= N::kImmersedBlock) return sum;
+    // Dimensions that a coefficient is divided by are scaled, too.
     const bool by_length = number == N::kProjectBlock || number == N::kProjectPrismatic ||
                            number == N::kProjectWaterplane;
     const bool by_beam = number == N::kProjectBlock || number == N::kProjectMidship ||

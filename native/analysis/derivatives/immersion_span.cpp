@@ -47,6 +47,7 @@ class SpanIntegrator {
       const WetColumn wet(square, u);
       if (!wet.any) continue;
       for (std::size_t j = 0; j < inner.nodes.size(); ++j) {
+        // The wet part of the column alone, up to the exact crossing: within it all is smooth.
         const double v = wet.from + (wet.to - wet.from) * inner.nodes[j];
         add_node(node_of(points_, square, u, v),
                  weight * square.size * (wet.to - wet.from) * inner.weights[j]);
@@ -59,13 +60,16 @@ class SpanIntegrator {
   }
 
   void add_node(const SpanNode& at, double weight) {
+    // Hadamard's formula with f = 1, x, y and z.
     const Vector3d n = weight * at.normal, arm = at.point - frame_.buoyancy;
     Eigen::Matrix<double, 1, 12> row;
     row << n.transpose(), arm.x() * n.transpose(), arm.y() * n.transpose(), arm.z() * n.transpose();
     sum_.leftCols<12>() += at.at * row;
     const double length = at.normal.norm();
+    // Where the surface has no area, |N| has no derivative.
     if (!(length > 0.0)) return;
     const Vector3d unit = at.normal * (weight / length);
+    // The variation of |N| is that of N times the unit normal: a triple product, in cyclic order.
     sum_.middleCols<3>(3 * kWettedSurface) +=
         at.du * at.along_v.cross(unit).transpose() + at.dv * unit.cross(at.along_u).transpose();
   }
@@ -80,6 +84,7 @@ class SpanIntegrator {
     Eigen::Matrix<double, 1, 30> row;
     for (int k = 0; k < 10; ++k) row.segment<3>(3 * k) = factors[k] * n;
     sum_.rightCols<30>() += at.at * row;
+    // Where the surface rises, a strip of it leaves the water.
     sum_.middleCols<3>(3 * kWettedSurface) -=
         at.at * (weight * at.normal.norm() * frame_.water.normal.transpose());
   }

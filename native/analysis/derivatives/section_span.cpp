@@ -15,7 +15,7 @@ namespace {
 constexpr int kNodes = 10;
 constexpr int kDeepestClip = 12;
 constexpr int kDeepestArc = 8;
-constexpr double kSettledOfSize = 1e-12;  // of the size's square, m²
+constexpr double kSettledOfSize = 1e-12;  // of the size: of what a shift adds to the area, m
 
 // A part [begin, end] of the square's u, over which the nets are restricted: b is the height above
 // the water, and a is not used.
@@ -37,10 +37,12 @@ class ArcIntegrator {
         {restricted(h, cut.u, cut.v, cut.size), {}, restricted(b, cut.u, cut.v, cut.size), 1.0},
         0.0,
         1.0};
+    // Nets are turned as the square is, so that arcs are functions of u again.
     if (cut.swapped) {
       strip.square.h = transposed(strip.square.h);
       strip.square.b = transposed(strip.square.b);
     }
+    // Any net will do: of an arc's points only b and v are asked for.
     strip.square.a = strip.square.b;
     clip(cut, strip, 0);
   }
@@ -55,6 +57,7 @@ class ArcIntegrator {
       return for_each_stretch(
           square, [&](double begin, double end) { integrate(cut, strip, begin, end, 0); });
     }
+    // One crossing of the water at most, or a strip so narrow that it is taken for that.
     if (depth == kDeepestClip || is_monotonic(square)) {
       return for_each_stretch(square, [&](double begin, double end) {
         const auto height = [&](double u) { return arc_point(square, u).b; };
@@ -72,12 +75,14 @@ class ArcIntegrator {
     high.square.a = high.square.b;
     low.end = high.begin = strip.at(0.5);
     for (const Strip& half : {low, high}) {
+      // In a half on one side of the station, zero counting as above, there is no arc.
       if (lowest(half.square.h) < 0.0 && highest(half.square.h) >= 0.0) clip(cut, half, depth + 1);
     }
   }
 
   void integrate(const CutSquare& cut, const Strip& strip, double begin, double end, int depth) {
     const EstimatingRule& rule = EstimatingRule::of(kNodes);
+    // From the arc's parameter to the strip's, the square's and the span's.
     const double width = end - begin, scale = width * (strip.end - strip.begin) * cut.size;
     Eigen::Matrix<double, 16, 3> part = Eigen::Matrix<double, 16, 3>::Zero();
     EstimatingRule::Values shares{};
@@ -88,6 +93,8 @@ class ArcIntegrator {
       const double slope = std::abs(station_.normal.dot(cut.swapped ? at.along_u : at.along_v));
       if (!(slope > 0.0)) continue;
       part += at.at * ((rule.weight(k) * scale / slope) * at.normal.transpose());
+      // The weights of points are polynomials below 1: how smooth the integrand is, this factor
+      // tells.
       shares[k] = at.normal.norm() / slope;
     }
     if (depth < kDeepestArc && std::abs(scale) * rule.error(shares) > kSettledOfSize * size_) {

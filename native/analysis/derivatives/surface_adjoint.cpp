@@ -30,11 +30,14 @@ constexpr double kBezierFromPlaces[4][4] = {{1.0, 0.0, 0.0, 0.0},
 void take_back_ghosts(PointColumns& by_points, const std::array<int, 16>& present) {
   const auto missing = [&present](int index) { return present[index] == surface::kNoPoint; };
   const auto take_back = [&by_points](int from, int step) {
+    // A ghost is 2 p - q.
     by_points.row(from + step) += 2.0 * by_points.row(from);
     by_points.row(from + 2 * step) -= by_points.row(from);
     by_points.row(from).setZero();
   };
   const bool west = missing(4), east = missing(7), south = missing(1), north = missing(13);
+  // fill_ghosts() fills rows first: columns come back first, since they were made of the rows'
+  // ghosts.
   for (int column = 3; column >= 0; --column) {
     if (north) take_back(12 + column, -4);
     if (south) take_back(column, 4);
@@ -57,6 +60,8 @@ SurfaceAdjoint::SurfaceAdjoint(const surface::LimitSurface& surface)
     for (int place = 0; place < 4; ++place) {
       const int side = edges[i].half_edge % 4;
       const Eigen::Vector2d uv = surface::on_square_side(side, place == 3 ? 1.0 : place / 3.0);
+      // Places are sums of control points with known weights, and Bézier points sums of four
+      // places.
       const auto row = weights.at(edges[i].half_edge / 4, uv.x(), uv.y());
       for (int k = 0; k < 4; ++k) {
         const double factor = kBezierFromPlaces[k][place];

@@ -36,8 +36,10 @@ HULL_WIDE void sum_along_u(const surface::BicubicPoints& points, const LineRule&
   const double* point = points[0].data();
   for (int b = 0; b < 4; ++b) {
     for (int c = 0; c < 3; ++c) {
+      // Point (a, b) begins at 12 b + 3 a.
       const double* p = point + 12 * b + c;
       for (int i = 0; i < lanes; ++i) {
+        // Once for all rows of nodes: along v a place then takes four terms, not sixteen.
         cubics.at[b][c][i] = u.values[0][i] * p[0] + u.values[1][i] * p[3] + u.values[2][i] * p[6] +
                              u.values[3][i] * p[9];
         cubics.by_u[b][c][i] = u.slopes[0][i] * p[0] + u.slopes[1][i] * p[3] +
@@ -69,6 +71,7 @@ HULL_WIDE void take_row(const Cubics& cubics, const LineRule& u, const surface::
     f[2][i] = w * (du[0][i] * dv[1][i] - du[1][i] * dv[0][i]);
   }
   for (int i = 0; i < lanes; ++i) {
+    // f is w N here, and |f| is w |N|: f times w / |f| is w times the unit normal.
     const double length = std::sqrt(f[0][i] * f[0][i] + f[1][i] * f[1][i] + f[2][i] * f[2][i]);
     per_length[i] = length > 0.0 ? weight * u.weights[i] / length : 0.0;
   }
@@ -78,6 +81,7 @@ HULL_WIDE void take_row(const Cubics& cubics, const LineRule& u, const surface::
     }
   }
   for (int k = 0; k < 3; ++k) {
+    // The wetted surface's, as of a span that is cut (immersion_span.cpp): S_v x n, and n x S_u.
     const int l = (k + 1) % 3, m = (k + 2) % 3;
     for (int i = 0; i < lanes; ++i) {
       f[kByU + k][i] = per_length[i] * (dv[l][i] * f[m][i] - dv[m][i] * f[l][i]);
@@ -115,6 +119,7 @@ HULL_WIDE void add_row(const NodeRow& row, const LineRule& u, const surface::Bas
     add_along_v(at, along, sums.column[k]);
   }
   for (int k = 0; k < 3; ++k) {
+    // A shift's derivative along u has the slopes of the functions of u, that along v those of v.
     along_row(u.slope, row.factor[kByU + k], u.count, along);
     add_along_v(at, along, sums.column[kByShift + k]);
     along_row(u.value, row.factor[kByV + k], u.count, along);
@@ -128,6 +133,7 @@ void add_whole_span(const surface::BicubicPoints& points, const ImmersionFrame& 
                     SpanRule rule, PointColumns& sum) {
   static_assert(immersed_number::kFirst == 1 && immersed_number::kWettedSurface == 4);
   const LineRule& line = LineRule::whole(rule);
+  // Whole registers: lanes beyond the rule's nodes are computed along, and not summed.
   const int lanes = line.count <= 4 ? 4 : kLanes;
   Cubics cubics;
   sum_along_u(points, line, lanes, cubics);

@@ -58,6 +58,7 @@ CellPlaces cell_places(const mesh::Topology& cells, int cell, const Eigen::Vecto
   }
   const auto add_twin = [&](int side, double t) {
     const int twin = cells.twin(h + side);
+    // It runs the other way.
     if (twin >= 0) places.push_back(on_side(twin, 1.0 - t));
   };
   if (v == 0.0) add_twin(0, u);

@@ -23,6 +23,7 @@ double gamma(double c) {
   return c <= 0.0031308 ? 12.92 * c : 1.055 * std::pow(c, 1.0 / 2.4) - 0.055;
 }
 
+// CIE's constants as fractions, so that both branches meet.
 constexpr double kCubeRootFrom = 216.0 / 24389.0, kSlope = 24389.0 / 27.0;
 double lab_root(double t) { return t > kCubeRootFrom ? std::cbrt(t) : (kSlope * t + 16.0) / 116.0; }
 double lab_cube(double f) {
@@ -87,6 +88,7 @@ Colour helix(double t) {
   const auto part = [&](double of_c, double of_s) {
     return std::clamp(shade + width * (of_c * c + of_s * s), 0.0, 1.0);
   };
+  // Green's directions across the axis of greys, along which perceived lightness stays.
   return {part(-0.14861, 1.78277), part(-0.29227, -0.90649), part(1.97294, 0.0)};
 }
 

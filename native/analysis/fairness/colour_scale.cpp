@@ -80,6 +80,7 @@ ColourScale ColourScale::fit(const std::vector<double>& values, const std::vecto
   std::vector<Weighted> sorted;
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (!std::isfinite(values[i])) continue;
+    // To both sides of zero alike.
     sorted.push_back({is_signed ? std::abs(values[i]) : values[i],
                       weights.empty() ? 1.0 : std::max(weights[i], 0.0)});
   }
@@ -94,6 +95,7 @@ ColourScale ColourScale::fit(const std::vector<double>& values, const std::vecto
   if (sorted.empty()) return {kind, mapping, 0.0, std::numbers::pi};
   const double low = quantile(sorted, 0.5 * (1.0 - part));
   const double high = quantile(sorted, 0.5 * (1.0 + part));
+  // A flat has one slope everywhere, and a scale some range.
   constexpr double kLeastRange = 1e-6;
   return {kind, mapping, low, std::max(high, low + kLeastRange)};
 }
@@ -128,6 +130,7 @@ void ColourScale::add_tick(double value, std::vector<Tick>& ticks) const {
 std::vector<ColourScale::Tick> ColourScale::ticks() const {
   std::vector<Tick> ticks;
   if (mapping_ == Mapping::kLogarithmic && is_signed()) {
+    // The range itself may be a power of ten, but for rounding.
     const int top = static_cast<int>(std::floor(std::log10(high_) + 1e-9));
     constexpr int kDecades = 3;
     for (int k = 0; k < kDecades; ++k) add_tick(-std::pow(10.0, top - k), ticks);
@@ -138,6 +141,7 @@ std::vector<ColourScale::Tick> ColourScale::ticks() const {
   const double factor = legend_factor(kind_);
   const double low = factor * low_, high = factor * high_;
   const double step = round_up((high - low) / kMostColours);
+  // Multiples of the step, since sums of it would drift, and miss zero.
   for (double k = std::ceil(low / step - 1e-9); k * step <= high + 1e-9 * step; k += 1.0) {
     add_tick(k * step, ticks);
   }

@@ -120,6 +120,7 @@ std::vector<std::vector<CurveFairness>> section_fairness(const surface::LimitSur
                                                          const FairnessOptions& options) {
   rules_from(surface, options);  // what is out of range is known before anything is cut
   SectionOptions fine = sampling;
+  // Arc lengths are told by the points, however few a drawing needs.
   fine.chord_tolerance = std::min(fine.chord_tolerance, kCoarsest * surface.mesh().size());
   const auto cut = sections(surface, planes, fine);
   std::vector<std::vector<const SectionCurve*>> curves(planes.size());
@@ -183,6 +184,7 @@ std::vector<Segment3> comb(const CurveFairness& curve, double scale) {
   }
   for (std::size_t i = 0; i + 1 < curve.starts.size(); ++i) {
     for (int k = curve.starts[i]; k + 1 < curve.starts[i + 1]; ++k) {
+      // Teeth came first, one for each sample.
       segments.push_back({segments[k][1], segments[k + 1][1]});
     }
   }

@@ -29,6 +29,7 @@ std::vector<Probe> probes(const MeasuredCurve& curve) {
   const auto add = [&](double s) { result.push_back({s, curve.at(s).signed_curvature}); };
   add(0.0);
   double from = 0.0;
+  // Breaks are probes themselves: curvature may have a corner there.
   for (const double to : curve.breaks()) {
     if (to - from <= shortest) continue;
     const double wanted = std::ceil((to - from) / (kProbeDistance * curve.length()));
@@ -79,6 +80,7 @@ class Marker {
   // A closed curve is run through from its greatest curvature on to that again, beyond its length.
   void start_at_largest() {
     along_.pop_back();
+    // From there no extremum is cut in two.
     std::size_t start = 0;
     for (std::size_t i = 1; i < along_.size(); ++i) {
       if (along_[i].curvature > along_[start].curvature) start = i;
@@ -105,6 +107,7 @@ class Marker {
   void find_inflections() {
     const Probe* last = nullptr;  // that bends to a side
     for (const Probe& p : along_) {
+      // However it trembles between two bends that count, there is one inflection, or none.
       if (std::abs(p.curvature) <= threshold_) continue;
       if (last && (last->curvature > 0.0) != (p.curvature > 0.0)) {
         const auto f = [&](double s) { return curvature(s); };
@@ -123,6 +126,8 @@ class Marker {
       const double k = along_[i].curvature;
       if (k > along_[highest].curvature) highest = i;
       if (k < along_[lowest].curvature) lowest = i;
+      // A place counts once the curvature is off it by the threshold; from there on it is the other
+      // kind that is looked for.
       if (may_be_highest && k < along_[highest].curvature - threshold_) {
         add_extremum(highest, 1.0);
         may_be_highest = false;

@@ -39,6 +39,7 @@ FeatureCourse::FeatureCourse(const surface::CreaseCurve& curve,
       parameters_({curve.spline().begin()}) {
   const std::vector<double>& knots = curve.spline().knots();
   const double end = curve.spline().end();
+  // A cubic B-spline is defined from its fourth knot to its last but three.
   for (std::size_t i = 3; i + 4 < knots.size(); ++i) {
     for (int part = 1; part <= kPartsOfSpan; ++part) {
       const double to = std::min(
@@ -55,6 +56,7 @@ FeatureCourse::FeatureCourse(const surface::CreaseCurve& curve,
 double FeatureCourse::parameter_at(double s) const {
   const auto next = std::upper_bound(breaks_.begin() + 1, breaks_.end() - 1, s);
   const std::size_t k = next - breaks_.begin() - 1;
+  // All of the curve is one point.
   if (k + 1 >= breaks_.size()) return parameters_.front();
   const double t0 = parameters_[k], t1 = parameters_[k + 1];
   const double wanted = s - breaks_[k];
@@ -90,6 +92,7 @@ CurveSample FeatureCourse::at(double s) const {
   // Where the curve runs along the view its picture is a point.
   if (!(seen_speed > 1e-9 * speed)) return sample;
   sample.signed_curvature = n.dot(d1.cross(jet.d2)) / (seen_speed * seen_speed * seen_speed);
+  // Along the picture's own normal, to the left of it.
   sample.curvature = sample.signed_curvature / seen_speed * n.cross(d1);
   return sample;
 }
@@ -100,6 +103,7 @@ std::optional<Vector3d> normal_of_plane_curve(const surface::CreaseCurve& curve,
   double off_plane = 0.0, off_line = 0.0;
   for (const Vector3d& p : points) {
     off_plane = std::max(off_plane, std::abs(fit.plane.height(p)));
+    // A straight line lies in many planes.
     off_line = std::max(off_line, std::abs(fit.across.dot(p - points.front())));
   }
   if (off_plane > tolerance || off_line <= tolerance) return std::nullopt;

@@ -28,6 +28,7 @@ Points control_points(const surface::LimitSurface& surface, int cell) {
       surface, cell,
       [&](const surface::CornerSquare& square) {
         points.insert(points.end(), square.points().begin(), square.points().end());
+        // The square's points hold all of its rings.
         return false;
       },
       [&](const surface::SurfacePiece& piece) {
@@ -86,12 +87,14 @@ class SideCubics {
         [&](const surface::SurfacePiece& piece) {
           if (touches(piece.u, piece.v, piece.size)) take(piece.u, piece.v, piece.size);
         });
+    // Rings come from the outside in, not along the side.
     std::sort(parts_.begin(), parts_.end());
     for (const auto& [from, to] : parts_) cubics.push_back(cubic(from, to));
   }
 
  private:
   bool touches(double u, double v, double size) const {
+    // Squares are dyadic, so that sums of place and size are exact.
     switch (side_) {
       case 0:
         return v == 0.0;
@@ -116,6 +119,7 @@ class SideCubics {
   }
   std::array<Vector3d, 4> cubic(double from, double to) const {
     const surface::SurfaceJet a = at(from), b = at(to);
+    // A side's part is a cubic: its ends and derivatives tell all of it.
     const double third = (side_ < 2 ? 1.0 : -1.0) * (to - from) / 3.0;
     const auto step = [&](const surface::SurfaceJet& jet) -> Vector3d {
       const Vector3d d = side_ % 2 == 0 ? jet.du : jet.dv;
@@ -160,10 +164,12 @@ class RegionFinder {
     };
     std::vector<Seed> seeds;
     for (int cell = 0; cell < surface_.cell_count(); ++cell) {
+      // Three eigenvalues in closed form spare most cells the fit by singular values.
       if (!may_lie_in_a_plane(points_[cell], tolerance_)) continue;
       const Plane plane = fit_plane(points_[cell]).plane;
       if (lies_in(points_[cell], plane, tolerance_)) seeds.push_back({cell, plane});
     }
+    // A large cell tells its plane better than a small one, and takes in those around it.
     std::stable_sort(seeds.begin(), seeds.end(),
                      [&](const Seed& a, const Seed& b) { return area(a.cell) > area(b.cell); });
     std::vector<FlatRegion> regions;
@@ -180,6 +186,7 @@ class RegionFinder {
         const Plane better = fit_plane(all).plane;
         if (!lies_in(points_[seed], better, tolerance_)) break;
         std::vector<int> more = grown(seed, better);
+        // What fits all of them may leave out some at the rim.
         if (more.size() < cells.size()) break;
         const bool same = more.size() == cells.size();
         plane = better;
@@ -202,6 +209,7 @@ class RegionFinder {
     std::vector<int> cells{seed};
     std::vector<char> seen(points_.size(), 0);
     seen[seed] = 1;
+    // What was found is also the queue of what is to be looked around.
     for (std::size_t i = 0; i < cells.size(); ++i) {
       for (int side = 0; side < 4; ++side) {
         const int twin = surface_.cells().twin(4 * cells[i] + side);
@@ -222,6 +230,7 @@ class RegionFinder {
     for (const int cell : region.cells) {
       used_[cell] = 1;
       region.area += area(cell);
+      // By area: normals of small cells may be turned by as much as the tolerance.
       outward += area(cell) * plane.normal.dot(surface_.normal(cell, 0.5, 0.5));
     }
     if (outward < 0.0) region.plane = {-plane.normal, -plane.offset};
@@ -246,6 +255,7 @@ class RegionFinder {
           done[at] = 1;
           SideCubics(surface_, at).add_to(border.cubics);
           at = topology.next(at);
+          // Around the side's end, across cells of the region.
           while (!is_border(at)) at = topology.next(topology.twin(at));
         }
       }

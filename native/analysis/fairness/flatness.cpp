@@ -41,6 +41,7 @@ Plane plane_of_most(const std::vector<Vector3d>& points, double size, double tol
   PlaneFit fit = fit_plane(points, weights);
   for (int i = 0; i < kFits; ++i) {
     for (std::size_t k = 0; k < points.size(); ++k) {
+      // A square over its distance is a distance.
       weights[k] = 1.0 / std::max(std::abs(fit.plane.height(points[k])), kSmallDistance * size);
     }
     fit = fit_plane(points, weights);
@@ -56,6 +57,8 @@ Plane plane_of_most(const std::vector<Vector3d>& points, double size, double tol
     }
     return spread > kSmallDistance * size;
   };
+  // What is at fault has no say in the plane in the end, though it had a little in the sum of
+  // distances.
   if (near.size() >= 3) {
     const PlaneFit finer = fit_plane(near);
     if (spread_across(near, finer)) return finer.plane;
@@ -102,6 +105,7 @@ class Furthest {
   void take(int cell, double u, double v) {
     const Vector3d p = surface_.position(cell, u, v);
     const double distance = std::abs(plane_.height(p));
+    // The first of equals stays; of distances of zero one has to be taken, too.
     if (distance < distance_ || (distance == distance_ && found_)) return;
     distance_ = distance;
     point_ = p;
@@ -110,6 +114,7 @@ class Furthest {
 
   void look_at(const surface::SurfacePiece& piece, const BezierBicubic& height,
                const surface::DomainSquare& square, int depth) {
+    // Branch and bound: coefficients bound the height over a square, places known are reached.
     if (found_ && std::max(-height.lowest(), height.highest()) <= distance_ + exact_) return;
     const double u = square.u + 0.5 * square.size, v = square.v + 0.5 * square.size;
     for (const auto& at : {std::array{square.u, square.v}, std::array{u, v},
@@ -151,6 +156,7 @@ std::vector<int> points_around(const mesh::Topology& topology, const std::vector
       int at = mesh::turn_left(topology, h);
       for (; at >= 0 && at != h; at = mesh::turn_left(topology, at)) add_face(at);
       if (at == h) continue;
+      // A crease ended the turn: the rest lies the other way round.
       for (at = mesh::turn_right(topology, h); at >= 0; at = mesh::turn_right(topology, at)) {
         add_face(at);
       }

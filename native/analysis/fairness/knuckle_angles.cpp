@@ -37,6 +37,7 @@ void add_range(KnuckleAngles& result) {
     high = std::max(high, angle);
     if (i == 0 || std::isnan(result.angles[i - 1])) continue;
     const double step = result.arc_lengths[i] - result.arc_lengths[i - 1];
+    // Between edges that do not follow one another the step is zero.
     area += 0.5 * step * (angle + result.angles[i - 1]);
     width += step;
   }
@@ -56,6 +57,7 @@ KnuckleAngles knuckle_angles(const surface::LimitSurface& surface,
                                 std::to_string(samples_per_edge) + ".");
   }
   KnuckleAngles result{};
+  // No edge follows it, not even edge 0.
   int before = -2;
   for (int edge : surface::knuckle_edges(curve, edges)) {
     for (int i = edge == before + 1 ? 1 : 0; i <= samples_per_edge; ++i) {

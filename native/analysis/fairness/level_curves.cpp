@@ -96,6 +96,7 @@ class Tracer {
   double wrapped(double value) const { return step_between(level_, value, period_); }
   double height(int cell, const Eigen::Vector2d& uv) const {
     const surface::SurfaceJet jet = surface_.evaluate(cell, uv.x(), uv.y(), 1);
+    // At irregular knots, where there are no derivatives, the tangent plane is asked for.
     Vector3d normal = surface::unit_normal(jet.du, jet.dv);
     if (normal.isZero(0.0)) normal = surface_.normal(cell, uv.x(), uv.y());
     return wrapped(function_(jet.point, normal));
@@ -160,6 +161,8 @@ class Tracer {
   int crossing(int cell, int square, int k) {
     const auto& normals = samples_.grid.corner_normals[square];
     const int a = normals[k], b = normals[(k + 1) % 4];
+    // Squares beside one another have the same two normals there, and share the crossing; those on
+    // two sides of a crease have not.
     const std::uint64_t key = static_cast<std::uint64_t>(std::min(a, b)) << 32 |
                               static_cast<std::uint32_t>(std::max(a, b));
     const auto [at, is_new] = numbers_.try_emplace(key, static_cast<int>(crossings_.size()));

@@ -72,6 +72,7 @@ class CreaseOutline {
 
   void add_part(double t0, double t1, std::vector<LevelCurve>& curves) {
     const double f0 = both(t0), f1 = both(t1);
+    // Of a side that is seen edge on the sign is rounding.
     const bool in0 = f0 < -kFacing, in1 = f1 < -kFacing;
     if (!in0 && !in1) {
       open_ = false;
@@ -85,6 +86,7 @@ class CreaseOutline {
       LevelCurve& curve = curves.emplace_back();
       curve.level = 0.0;
       curve.closed = false;
+      // The outline begins where the sign changes, or at t0 where rounding hides that.
       add_point(in0 || !crosses ? t0 : change(), curve);
     }
     add_point(in1 || !crosses ? t1 : change(), curves.back());
@@ -114,6 +116,7 @@ Vector3d Eye::from(const Vector3d& p) const {
 LightLines::LightLines(const LightBank& bank) : bank_(bank) {
   bank_.line_direction = unit(bank.line_direction, "The direction of the lines of light");
   const Vector3d light = unit(bank.light_direction, "The direction to the lines of light");
+  // Along the lines themselves the direction to them makes no difference.
   up_ = light - light.dot(bank_.line_direction) * bank_.line_direction;
   if (!(up_.norm() > kAlong)) {
     throw std::invalid_argument(
@@ -135,14 +138,17 @@ LightLines::LightLines(const LightBank& bank) : bank_(bank) {
 
 double LightLines::operator()(const Vector3d& point, const Vector3d& normal) const {
   const Vector3d eye = bank_.eye.from(point);
+  // The way to the eye, mirrored about the normal.
   const Vector3d ray = 2.0 * normal.dot(eye) * normal - eye;
   const double across = ray.dot(across_), up = ray.dot(up_);
   if (!bank_.distance) {
     if (across * across + up * up < kAlong * kAlong) return kNotSeen;
+    // Into the period around line 0.
     return std::remainder(std::atan2(across, up) / bank_.spacing - bank_.phase, period_);
   }
   const double height = *bank_.distance - up_.dot(point);
   if (!(up > kAlong) || !(height > 0.0)) return kNotSeen;
+  // Where the ray meets the plane of the lines.
   return (across_.dot(point) + height * across / up) / bank_.spacing - bank_.phase;
 }
 
@@ -183,6 +189,7 @@ std::vector<LevelCurve> isophotes(const surface::LimitSurface& surface, const Ve
   };
   std::vector<LevelCurve> curves = level_curves(surface, function, levels, options);
   for (LevelCurve& curve : curves) {
+    // Levels come back bit by bit as they were given.
     const auto at = std::find(levels.begin(), levels.end(), curve.level) - levels.begin();
     curve.level = angles[static_cast<std::size_t>(at)];
   }

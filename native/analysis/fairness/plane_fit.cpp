@@ -19,10 +19,12 @@ PlaneFit fit_plane(const std::vector<Vector3d>& points, const std::vector<double
   Eigen::MatrixXd offsets =
       Eigen::MatrixXd::Zero(std::max<Eigen::Index>(3, static_cast<Eigen::Index>(points.size())), 3);
   for (std::size_t i = 0; i < points.size(); ++i) {
+    // Squares have the weight itself.
     offsets.row(static_cast<Eigen::Index>(i)) =
         std::sqrt(weights[i]) * (points[i] - centre).transpose();
   }
   const Eigen::MatrixXd v = mesh::singular_values(offsets).v;
+  // Singular values fall: the points spread least along the last direction.
   Vector3d normal = v.col(2);
   Eigen::Index largest = 0;
   normal.cwiseAbs().maxCoeff(&largest);

@@ -20,6 +20,8 @@ constexpr double kOnCurve = 1e-10;
 
 // Length of an arc by its chord and the curvatures at its ends.
 double arc_length(double chord, double k0, double k1) {
+  // Chord (1 + k^2 chord^2 / 24): of a curvature k that changes evenly k^2 is
+  // (k0^2 + k0 k1 + k1^2) / 3 in the mean.
   const double bend = chord * chord * (k0 * k0 + k0 * k1 + k1 * k1) / 72.0;
   // The series holds for arcs of less than about a radian.
   return chord * (1.0 + std::min(bend, 0.1));
@@ -91,6 +93,8 @@ SectionCourse::Segment SectionCourse::segment_between(int a, int b) const {
   const CellPlaces to = cell_places(surface_.cells(), curve_.cells[b], curve_.uv[b]);
   Segment best{-1, {}, {}, false, {}, {}};
   std::optional<double> best_height;
+  // Places on sides and at corners are in several cells; if two points have more than one in
+  // common, the curve is taken to be in that where the way between them stays nearer to the plane.
   for (const surface::CellPlace& q : to) {
     for (const surface::CellPlace& p : from) {
       if (p.cell != q.cell) continue;
@@ -122,6 +126,7 @@ void SectionCourse::lead(int k) {
   const Segment* before = k > 0 ? &segments_[k - 1] : nullptr;
   if (before && before->cell == segment.cell && before->to == segment.from &&
       breaks_[k] > breaks_[k - 1]) {
+    // The same direction, of a parameter over another length.
     const double ratio = (breaks_[k + 1] - breaks_[k]) / (breaks_[k] - breaks_[k - 1]);
     segment.leaving = ratio * before->reaching;
   } else {
@@ -137,6 +142,7 @@ Eigen::Vector2d SectionCourse::slope_at(const Segment& segment, int k, bool at_e
       (breaks_[k + 1] - breaks_[k]) * known(stretch_.first + k + (at_end ? 1 : 0)).tangent;
   surface::SurfaceJet jet;
   surface_.evaluate(segment.cell, uv.x(), uv.y(), 1, jet);
+  // The (u, v) whose step along the surface comes nearest to d1: two normal equations.
   const double uu = jet.du.squaredNorm(), mixed = jet.du.dot(jet.dv), vv = jet.dv.squaredNorm();
   const double determinant = uu * vv - mixed * mixed;
   const double along_u = jet.du.dot(d1), along_v = jet.dv.dot(d1);
@@ -164,6 +170,7 @@ bool SectionCourse::on_line(const Segment& segment, double fraction, CurveSample
   const Eigen::Vector2d uv = segment.from + fraction * step;
   const surface::SurfaceJet jet = surface_.evaluate(segment.cell, uv.x(), uv.y(), 2);
   const Vector3d d1 = step.x() * jet.du + step.y() * jet.dv;
+  // On such a line the mixed derivative has no part.
   const Vector3d d2 = step.x() * step.x() * jet.duu + step.y() * step.y() * jet.dvv;
   const Course course = course_of(d1, d2, plane_.normal);
   result = sample(course.tangent, jet.point, course.curvature);
@@ -181,6 +188,7 @@ bool SectionCourse::on_plane(const Segment& segment, double fraction, const Vect
   double off = std::numeric_limits<double>::infinity();
   for (int step = 0; step < kMostSteps && off > kConverged * size; ++step) {
     surface_.evaluate(segment.cell, uv.x(), uv.y(), 1, jet);
+    // Newton's method for the place that is in the plane and square to the chord beside `near`.
     const Eigen::Vector2d missed(plane_.height(jet.point), along.dot(jet.point - near));
     off = missed.norm();
     Eigen::Matrix2d slopes;
@@ -198,12 +206,14 @@ bool SectionCourse::on_plane(const Segment& segment, double fraction, const Vect
   if (!(std::abs(along.dot(jet.point - near)) <= kOnCurve * size)) return false;
   Course course = level_course(jet, plane_.normal);
   if (course.tangent.isZero(0.0)) return false;
+  // A level course has no direction of its own: it runs as the points do.
   if (course.tangent.dot(along) < 0.0) course = {-course.tangent, -course.curvature};
   result = sample(course.tangent, jet.point, course.curvature);
   return true;
 }
 
 CurveSample SectionCourse::at(double s) const {
+  // Without the first and the last break: the curve's ends are in its first and last segment.
   const auto next = std::upper_bound(breaks_.begin() + 1, breaks_.end() - 1, s);
   const int k = static_cast<int>(next - breaks_.begin()) - 1;
   const double length = breaks_[k + 1] - breaks_[k];

@@ -26,6 +26,7 @@ double curvature_value(const surface::SurfaceJet& jet, FieldKind kind) {
   if (kind == FieldKind::kGaussian) return gaussian;
   const double mean = 0.5 * (e * n - 2.0 * f * m + g * l) / (area2 * std::sqrt(area2));
   if (kind == FieldKind::kMean) return mean;
+  // At umbilics rounding may leave less than zero.
   const double half = std::sqrt(std::max(mean * mean - gaussian, 0.0));
   return kind == FieldKind::kMaximum ? mean + half : mean - half;
 }
@@ -111,6 +112,7 @@ std::vector<double> surface_field(const surface::LimitSurface& surface,
   bool all_known = true;
   for (std::size_t i = 0; i < values.size(); ++i) {
     const Eigen::Vector2d& uv = tessellation.normal_uv[i];
+    // Beside an irregular knot curvature depends on the way on which the knot is come near.
     known[i] = std::isfinite(values[i]) &&
                !surface.is_irregular_knot(tessellation.normal_cells[i], uv.x(), uv.y());
     all_known = all_known && known[i];
@@ -124,6 +126,7 @@ std::vector<double> normal_field(const surface::Tessellation& tessellation,
   std::vector<const Vector3d*> points(tessellation.normals.size(), nullptr);
   for (std::size_t q = 0; q < tessellation.quads.size(); ++q) {
     for (int k = 0; k < 4; ++k) {
+      // All corners that share a normal share a point.
       points[tessellation.corner_normals[q][k]] = &tessellation.points[tessellation.quads[q][k]];
     }
   }
@@ -141,6 +144,7 @@ std::vector<double> field_weights(const surface::Tessellation& tessellation) {
     const auto& corners = tessellation.quads[q];
     const auto point = [&](int k) -> const Vector3d& { return tessellation.points[corners[k]]; };
     const Vector3d one = point(2) - point(0), other = point(3) - point(1);
+    // A plane quadrilateral has half of the cross product of its diagonals.
     const double quarter = 0.125 * one.cross(other).norm();
     for (const int normal : tessellation.corner_normals[q]) weights[normal] += quarter;
   }

@@ -16,6 +16,7 @@ HULL_WIDE ArcPoint arc_point(const ArcSquare& square, double u) {
 }
 
 bool is_monotonic(const ArcSquare& square) {
+  // Thirds of the slopes: signs are all that counts.
   const SlopeRange hu = slope_range_u(square.h), hv = slope_range_v(square.h);
   const SlopeRange bu = slope_range_u(square.b), bv = slope_range_v(square.b);
   const auto product = [](const SlopeRange& x, const SlopeRange& y) {

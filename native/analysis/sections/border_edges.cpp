@@ -29,6 +29,7 @@ std::array<Vector3d, 4> cubic_of(const surface::LimitSurface& surface, int half_
 }
 
 int next_along_border(const mesh::Topology& cells, int half_edge) {
+  // Clockwise around the side's end, across all cells there.
   int h = cells.next(half_edge);
   while (cells.twin(h) >= 0) h = cells.next(cells.twin(h));
   return h;
@@ -48,6 +49,7 @@ std::vector<BorderEdge> border_edges(const surface::LimitSurface& surface) {
   int loop = 0;
   for (int first = 0; first < cells.half_edge_count(); ++first) {
     if (cells.twin(first) >= 0 || used[first]) continue;
+    // Each border is closed: the walk ends at its own beginning.
     for (int h = first; !used[h]; h = next_along_border(cells, h)) {
       used[h] = 1;
       edges.push_back({h, loop, cubic_of(surface, h)});

@@ -30,6 +30,7 @@ bool vanishes(const BezierNet& net, int side, double tolerance) {
 // Divides by the distance from the side: of degree two across, and raised to three again.
 void divide_out(BezierNet& net, int side) {
   for (int k = 0; k < 4; ++k) {
+    // B_k, of degree three, divided by the distance is 3, 3/2 or 1 times B_k-1 of degree two.
     const double g0 = 3.0 * net[row_index(side, k, 1)], g1 = 1.5 * net[row_index(side, k, 2)];
     const double g2 = net[row_index(side, k, 3)];
     net[row_index(side, k, 0)] = g0;
@@ -58,11 +59,13 @@ HeightNet height_net(const surface::BicubicPoints& points, const Plane& plane,
   }
   result.flat = low >= -tolerances.flat && high <= tolerances.flat && may_lie == kAllSides;
   if (result.flat || low > tolerances.flat || high < -tolerances.flat) return result;
+  // Corners tell of most sides that they are not in the plane.
   const std::array<bool, 4> near{
       std::abs(net[0]) <= tolerances.flat, std::abs(net[3]) <= tolerances.flat,
       std::abs(net[15]) <= tolerances.flat, std::abs(net[12]) <= tolerances.flat};
   for (int side = 0; side < 4; ++side) {
     if (!may_lie[side] || !near[side] || !near[(side + 1) % 4]) continue;
+    // All of them before any is divided out, which changes coefficients of the sides beside it.
     result.in_plane[side] = vanishes(net, side, tolerances.flat);
     result.divided = result.divided || result.in_plane[side];
   }

@@ -50,6 +50,8 @@ void NetCut::divide(const BezierNet& net) {
   if (!has_zero(net)) return;
   const NetSquare whole{net, 0.0, 0.0, 1.0};
   if (!take_simple(whole, parts)) level_.push_back(whole);
+  // Level by level, so that their number is seen where squares multiply instead of becoming simple,
+  // as along a line of contact.
   for (int depth = 1; !level_.empty(); ++depth) {
     next_.clear();
     for (const NetSquare& square : level_) {
@@ -115,6 +117,8 @@ CrossingPairs pair_crossings(const BezierNet& net, const SideCrossings& crossing
     }
   }
   // Otherwise what lies at the centre hangs together.
+  // A crossing that enters begins a stretch of the border that is below: with the centre above,
+  // each such stretch is cut off by itself, otherwise each that is above.
   const int step = value_at(net, 0.5, 0.5) >= 0.0 ? 1 : count - 1;
   for (int i = 0; i < count; ++i) {
     const int to = (i + step) % count;

@@ -64,6 +64,7 @@ Breaks crossing_breaks(const BezierBicubic& height) {
   Breaks breaks;
   breaks.insert(0.0);
   breaks.insert(1.0);
+  // For each u there is one crossing at most: it comes and goes through the sides v = 0 and 1 only.
   for (double v : {0.0, 1.0}) {
     for (double root : sign_changes(height.along_u(v))) breaks.insert(root);
   }

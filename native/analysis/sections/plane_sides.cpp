@@ -36,6 +36,7 @@ class PlaneSides::SideCurve {
     }
     const int side = (claim.left ? line.id : surface.cells().twin(line.id)) % 4;
     along_v_ = side % 2 == 1;
+    // The cell on the right has the twin, which runs against the line.
     falls_ = (side >= 2) == claim.left;
     at_ = side == 1 || side == 2 ? 1.0 : 0.0;
   }
@@ -57,6 +58,7 @@ class PlaneSides::SideCurve {
       jet = surface_.evaluate(cell_, near.x(), near.y(), 2);
     }
     sample.d1 = (falls_ ? -1.0 : 1.0) * (along_v_ ? jet.dv : jet.du);
+    // Whichever way it is run through.
     const Vector3d& d2 = along_v_ ? jet.dvv : jet.duu;
     const Vector3d d1 = sample.d1 - normal_.dot(sample.d1) * normal_;
     const double speed = d1.norm();
@@ -83,6 +85,7 @@ void PlaneSides::add_side(int cell, const surface::DomainSquare& square, int sid
                           const BezierCubic& beside) {
   double from = 0.0;
   for (const double root : sign_changes(beside)) {
+    // A stretch of no length would be an arc of no length.
     if (root - from < kSameParameter) continue;
     if (1.0 - root < kSameParameter) break;
     add(cell, square, side, from, root, state_of(beside, 0.5 * (from + root)));
@@ -114,6 +117,7 @@ void PlaneSides::add(int cell, const surface::DomainSquare& square, int side, do
   const int h = 4 * cell + side;
   const bool front = surface_->cells().is_edge_front(h);
   const bool falls = (side >= 2) == front;
+  // Both cells of an edge claim the line of its front half-edge, where their claims meet.
   const Line line{Line::Kind::kEdge, front ? h : surface_->cells().twin(h), 0.0};
   claims_.push_back({line, falls ? 1.0 - t1 : t0, falls ? 1.0 - t0 : t1, front, state, cell});
 }
@@ -138,10 +142,13 @@ void PlaneSides::add_line(const Claim* begin, const Claim* end, double chord_tol
   const bool border =
       begin->line.kind == Line::Kind::kEdge && surface_->cells().twin(begin->line.id) < 0;
   for (std::size_t k = 0; k + 1 < ts.size(); ++k) {
+    // Squares on both sides may be of different sizes: the line is taken in parts that all agree
+    // on.
     if (ts[k + 1] - ts[k] < kSameParameter) continue;
     const double middle = 0.5 * (ts[k] + ts[k + 1]);
     const Claim *left = nullptr, *right = nullptr;
     for (const Claim* c = begin; c != end; ++c) {
+      // Squares of one side do not overlap: there is one of either side, or none.
       if (c->t0 <= middle && middle < c->t1) (c->left ? left : right) = c;
     }
     if (!left && !right) continue;
@@ -152,6 +159,7 @@ void PlaneSides::add_line(const Claim* begin, const Claim* end, double chord_tol
     SectionArc::Sense sense = SectionArc::Sense::kDirected;
     if (l == State::kAbove || r == State::kAbove || l == State::kBelow || r == State::kBelow) {
       forward = l == State::kAbove || r == State::kBelow;
+      // Inside the surface one side does not tell whether the other is beyond the plane.
       if (l == r || !(border || (left && right))) sense = SectionArc::Sense::kEither;
     } else {
       // A flat alone, at a border.

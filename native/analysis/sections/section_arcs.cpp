@@ -39,6 +39,7 @@ class PieceArcs {
     place.u = u;
     place.v = v;
     surface::evaluate_bicubic(piece_.points, u, v, 2, place.jet);
+    // What is left of a height that was divided has slopes of its own.
     if (height_.divided) {
       place.g = height_jet(height_.net, u, v);
     } else {
@@ -79,6 +80,7 @@ class ZeroCurve {
     const double v = square_.v + square_.size * (swapped_ ? t : across);
     Place place;
     ArcSample sample{piece_.point(u, v, place), Vector3d::Zero()};
+    // Of the function that is implied by g = 0: dv/du = -g_u / g_v.
     const auto slope = [](double along, double over) { return over != 0.0 ? -along / over : 0.0; };
     sample.d1 =
         square_.size * (swapped_ ? place.jet.dv + slope(place.g.v, place.g.u) * place.jet.du
@@ -104,6 +106,7 @@ Ends ends_of(const BezierNet& net) {
   Ends ends;
   for (const double across : {0.0, 1.0}) {
     const double* row = net.data() + (across > 0.0 ? 12 : 0);
+    // Coefficients of one sign: no root has to be looked for.
     if (row[0] >= 0.0 && row[1] >= 0.0 && row[2] >= 0.0 && row[3] >= 0.0) continue;
     if (row[0] < 0.0 && row[1] < 0.0 && row[2] < 0.0 && row[3] < 0.0) continue;
     for (const double t : sign_changes({row[0], row[1], row[2], row[3]})) {
@@ -119,6 +122,7 @@ void PieceArcs::add_simple(const NetSquare& square, bool swapped) {
   const BezierNet& net = square.net;
   const ZeroCurve curve(*this, square, swapped);
   const auto at_end = [&](const ArcEnd& end) {
+    // On a side the place is known: a root found anew would be off it by rounding.
     return end.across < 0.0 ? curve.at(end.t) : curve.at(end.t, end.across);
   };
   const Ends ends = ends_of(net);
@@ -130,6 +134,8 @@ void PieceArcs::add_simple(const NetSquare& square, bool swapped) {
     const std::size_t first = parts_.points.size();
     sample_arc(curve, ends[k].t, at_end(ends[k]), ends[k + 1].t, at_end(ends[k + 1]),
                chord_tolerance_, parts_.points);
+    // What is above is to be on the left. Along rising u that is where v is larger, along rising v
+    // where u is smaller.
     const bool rises = column.c[3] > column.c[0];
     // Its tangents already are those of the right direction.
     if (rises == swapped) {

@@ -39,6 +39,8 @@ bool Matcher::fit(int a, int b) const {
   }
   using Sense = SectionArc::Sense;
   const Sense sense_a = arc.sense, sense_b = parts_.arcs[b / 2].sense;
+  // Lines with one side of the plane on both sides go on with their like only; directed arcs go on
+  // from a last point to a first.
   if ((sense_a == Sense::kEither) != (sense_b == Sense::kEither)) return false;
   return a % 2 != b % 2 || sense_a != Sense::kDirected || sense_b != Sense::kDirected;
 }
@@ -48,12 +50,14 @@ void Matcher::match(std::vector<End>& ends, double tolerance, int spot) {
   meetings_.clear();
   for (std::size_t i = 0; i < ends.size(); ++i) {
     for (std::size_t j = i + 1; j < ends.size(); ++j) {
+      // The direction's length is 1.0006: nothing that is near enough is missed.
       if (ends[j].along - ends[i].along > 1.001 * tolerance) break;
       if (!fit(ends[i].index, ends[j].index)) continue;
       const double distance = (point(ends[i].index).point - point(ends[j].index).point).norm();
       if (distance <= tolerance) meetings_.push_back({distance, ends[i].index, ends[j].index});
     }
   }
+  // Each end is joined to the nearest that is free; equally near ones go by their numbers.
   std::sort(meetings_.begin(), meetings_.end(), [](const Meeting& x, const Meeting& y) {
     return std::tie(x.distance, x.a, x.b) < std::tie(y.distance, y.a, y.b);
   });
@@ -73,6 +77,7 @@ void Matcher::turn_round(SectionChain& chain) const {
     if (sense == SectionArc::Sense::kDirected) directed += way;
     if (sense == SectionArc::Sense::kFollowing) following += way;
   }
+  // Most of the directed arcs decide; those that follow have a say where these are at a tie.
   if (directed > 0 || (directed == 0 && following >= 0)) return;
   // A link tells of the spot after it.
   std::vector<SectionChain::Link> links;
@@ -92,6 +97,7 @@ std::vector<SectionChain> Matcher::chains() const {
     // Back to the beginning of the curve, or round to where we are.
     int begin = 2 * i;
     while (partner_[begin] >= 0) {
+      // The other end of the arc before.
       begin = partner_[begin] ^ 1;
       if (begin == 2 * i) break;
     }

@@ -109,6 +109,7 @@ bool CurveBuilder::meet(const SectionChain::Link& last, const SectionChain::Link
   if (last.spot >= 0) {
     turn = kTurnAtSpot;
     const SectionSpot& spot = parts_.spots[last.spot];
+    // Branches are led through the knot itself if it is in the plane; otherwise a chord passes it.
     const bool apart = (spot.knot.point - curve_.points.back()).norm() > kSamePoint * size_;
     if (apart && std::abs(spot.height) <= kOnPlane * size_) {
       SectionPoint knot = spot.knot;
@@ -118,9 +119,12 @@ bool CurveBuilder::meet(const SectionChain::Link& last, const SectionChain::Link
     }
   }
   const bool joined = (start.point - curve_.points.back()).norm() <= kSamePoint * size_;
+  // Across a gap the course is not known better than that.
   if (!joined) turn = kTurnAtSpot;
+  // What runs along a crease from arc to arc does not cross it.
   const bool crosses = !parts_.arcs[last.arc].along_side || !parts_.arcs[next.arc].along_side;
   const Vector3d& before = curve_.tangents.back();
+  // By the sine, which keeps its digits near zero, and is small for opposite tangents, too.
   const bool turns = before.dot(start.tangent) <= 0.0 || before.cross(start.tangent).norm() > turn;
   if (turns || (crosses && shell_.is_crease(curve_.cells.back(), curve_.uv.back()))) {
     curve_.knuckles.push_back(static_cast<int>(curve_.points.size()) - 1);
@@ -143,6 +147,7 @@ void CurveBuilder::close(const SectionChain::Link& last, const SectionChain::Lin
     add(end);
     return;
   }
+  // The repeated first point is the same to the last bit.
   curve_.points.back() = curve_.points.front();
   curve_.cells.back() = curve_.cells.front();
   curve_.uv.back() = curve_.uv.front();
@@ -160,6 +165,7 @@ void CurveBuilder::start_at_knuckle() {
   if (knuckles.empty() || knuckles.back() == end) return;
   const int start = knuckles.front();
   const auto turn = [&](auto& values) {
+    // The repeated first point is left out while they turn.
     values.pop_back();
     std::rotate(values.begin(), values.begin() + start, values.end());
     values.push_back(values.front());
@@ -169,6 +175,7 @@ void CurveBuilder::start_at_knuckle() {
   turn(curve_.uv);
   turn(curve_.tangents);
   turn(curve_.curvatures);
+  // The course before the knuckle stays at its repetition, the last point.
   curve_.tangents.front() = curve_.knuckle_tangents.front();
   curve_.curvatures.front() = curve_.knuckle_curvatures.front();
   const auto first_to_end = [](auto& values) {

@@ -35,6 +35,7 @@ Course course_of(const SectionCurve& curve, const SmoothStretch& stretch, const 
   for (int i = stretch.first + 1; i <= stretch.last; ++i) {
     length += (curve.points[i] - curve.points[i - 1]).norm();
   }
+  // Points are off the plane by rounding or the flat tolerance; a spline's control points are not.
   const auto in_plane = [&](const Vector3d& p) {
     return Vector3d(p - plane.height(p) * plane.normal);
   };
@@ -55,6 +56,7 @@ Course course_of(const SectionCurve& curve, const SmoothStretch& stretch, const 
     const double chord = (p - course.points.back()).norm();
     if (chord < kLeastSpacing * length) {
       if (i < stretch.last) continue;
+      // The last point has to stay: the one before it goes.
       if (course.points.size() > 1) {
         course.points.pop_back();
         course.tangents.pop_back();
@@ -91,6 +93,8 @@ std::vector<Vector3d> slopes(const Course& course, const std::vector<std::size_t
       right[i] = course.tangents[nodes[i]];
       continue;
     }
+    // Second derivatives on both sides of a node agree: with slopes m and widths h, m_i-1 / h_i-1 +
+    // 2 (1 / h_i-1 + 1 / h_i) m_i + m_i+1 / h_i = rise_i-1 + rise_i.
     const std::size_t before = i > 0 ? i - 1 : n - 1;
     rows.below[i] = 1.0 / width(before);
     rows.above[i] = 1.0 / width(i);
@@ -134,6 +138,7 @@ surface::CubicSpline spline_through(const Course& course, const std::vector<std:
 // The distance from the spline near its parameter t.
 double distance_to(const surface::CubicSpline& spline, const Vector3d& p, double t) {
   double nearest = std::numeric_limits<double>::infinity();
+  // Steps of Gauss and Newton to the foot: each place on the way bounds the distance.
   for (int i = 0; i < 3; ++i) {
     const surface::CurveJet jet = spline.evaluate(t, 1);
     const Vector3d r = p - jet.point;
@@ -151,6 +156,7 @@ double largest_distance(const Course& course, const surface::CubicSpline& spline
   double largest = 0.0;
   for (std::size_t i = a; i < b; ++i) {
     const double width = course.at[i + 1] - course.at[i];
+    // Of the cubic with the course's points and tangents.
     const Vector3d middle = 0.5 * (course.points[i] + course.points[i + 1]) +
                             0.125 * width * (course.tangents[i] - course.tangents[i + 1]);
     largest = std::max(largest, distance_to(spline, middle, course.at[i] + 0.5 * width));
@@ -162,6 +168,7 @@ double largest_distance(const Course& course, const surface::CubicSpline& spline
 // The point halfway between two, in length.
 std::size_t middle_of(const Course& course, std::size_t a, std::size_t b) {
   const double half = 0.5 * (course.at[a] + course.at[b]);
+  // Between the two, even where all points are in one half.
   const auto begin = course.at.begin() + static_cast<std::ptrdiff_t>(a) + 1;
   const auto end = course.at.begin() + static_cast<std::ptrdiff_t>(b) - 1;
   return static_cast<std::size_t>(std::lower_bound(begin, end, half) - course.at.begin());

@@ -59,6 +59,7 @@ class Cutter {
     const auto take = [&](const surface::SurfacePiece& piece) { add_piece(piece, plane, sides); };
     for (int cell = 0; cell < surface_.cell_count(); ++cell) {
       if (boxes.least(cell, plane.normal) > high || boxes.most(cell, plane.normal) < low) continue;
+      // Lines are known by their places within a cell.
       lines_.clear();
       surface::for_each_piece(surface_, cell, descend, take);
     }
@@ -102,10 +103,12 @@ class Cutter {
 bool Cutter::wants(const surface::CornerSquare& square, const Plane& plane, PlaneSides& sides) {
   const auto [lowest, highest] = height_range(square, plane);
   if (lowest > heights_.flat || highest < -heights_.flat) return false;
+  // A flat square is taken as one: sides of rings within it would cancel.
   if (lowest >= -heights_.flat && highest <= heights_.flat) {
     if (square.size >= kSmallestFlat) {
       sides.add_flat(square.cell, {square.u, square.v, square.size});
     } else {
+      // So small a square is near the plane by its size: whether it lies in it is not told by that.
       add_spot(square, plane, square.extent());
     }
     return false;
@@ -122,6 +125,7 @@ void Cutter::add_spot(const surface::CornerSquare& square, const Plane& plane, d
 }
 
 void Cutter::add_piece(const surface::SurfacePiece& piece, const Plane& plane, PlaneSides& sides) {
+  // Most pieces of a cell are beside the plane, as their points tell without a net.
   double low = plane.height(piece.points[0]), high = low;
   for (int i = 1; i < 16; ++i) {
     const double height = plane.height(piece.points[i]);
@@ -135,6 +139,7 @@ void Cutter::add_piece(const surface::SurfacePiece& piece, const Plane& plane, P
   for (int side = 0; side < 4 && height.divided; ++side) {
     if (!height.in_plane[side]) continue;
     sides.add_side(piece.cell, square, side, height.along(side));
+    // Rings come from the outside in: a smaller side finds the line that it goes on with.
     if (piece.size < 0.5) lines_.push_back(line_of(square, side));
   }
   add_section_arcs(piece, height, plane, chord_tolerance_, heights_.zero, net_cut_, parts_);
@@ -170,6 +175,7 @@ std::vector<std::vector<SectionCurve>> sections(const surface::LimitSurface& sur
   surface::parallel_for(
       planes.size(), surface::kAllProcessors,
       [&](std::size_t begin, std::size_t end) {
+        // One for a range of planes, whose lists keep their memory from one to the next.
         Cutter cutter(surface, options);
         for (std::size_t i = begin; i < end; ++i) result[i] = cutter.cut(boxes, planes[i]);
       },

@@ -13,8 +13,8 @@ constexpr int kScanned = 8;  // intervals
 // Of the scan, whose first and last station touch a rounded end along a line.
 constexpr int kDeepestScanned = 6;
 constexpr double kLevelArea = 1e-12;  // of the area: parallel stations differ by rounding
+constexpr double kSettled = 1e-8;     // of the area: what a step to the top of a parabola gains
 // Of the range: half of the digits, as the area is flat at its maximum.
-constexpr double kSettled = 1e-8;  // of the area: what a step to the top of a parabola gains
 constexpr double kNarrow = 1e-5;
 constexpr double kSearched = 1e-9;  // tolerance of the areas that are compared
 
@@ -25,6 +25,7 @@ SectionArea refine_largest(const StationCutter& cutter, const Plane& water, cons
                            const ArcRule& rule) {
   constexpr double kGolden = 0.381966011250105;
   double begin = left.position, end = right.position;
+  // The best station but one, and the one before that, carry the parabola with the best.
   const bool left_is_second = left.area > right.area;
   SectionArea second = left_is_second ? left : right, third = left_is_second ? right : left;
   double step = end - begin, before = step;
@@ -39,6 +40,7 @@ SectionArea refine_largest(const StationCutter& cutter, const Plane& water, cons
       q = 2.0 * (q - r);
       if (q > 0.0) p = -p;
       q = std::abs(q);
+      // Its top has to lie between the ends, and the step to be less than half of the last but one.
       if (std::abs(p) < std::abs(0.5 * q * before) && p > q * (begin - x) && p < q * (end - x)) {
         before = step;
         step = p / q;
@@ -49,6 +51,7 @@ SectionArea refine_largest(const StationCutter& cutter, const Plane& water, cons
       before = (x < middle ? end : begin) - x;
       step = kGolden * before;
     }
+    // Nearer than the tolerance areas differ by their own errors.
     const double to = x + (std::abs(step) >= tolerance ? step : std::copysign(tolerance, step));
     const SectionArea tried = immersed_station(cutter, to, water, rule);
     const bool settled = parabola && std::abs(tried.area - best.area) <= kSettled * best.area;
@@ -79,6 +82,7 @@ std::array<double, 2> immersed_range(const StationCutter& cutter, const Plane& w
   std::array<double, 2> range{std::numeric_limits<double>::infinity(),
                               -std::numeric_limits<double>::infinity()};
   for (int cell = 0; cell < boxes.size(); ++cell) {
+    // The image of a cell is in the water where the cell is in the mirrored water.
     const bool wet = boxes.least(cell, water.normal) < water.offset ||
                      (cutter.body().mirrored() && boxes.least(cell, mirrored) < water.offset);
     if (!wet) continue;
@@ -94,6 +98,7 @@ SectionArea largest_section(const StationCutter& cutter, const Plane& water) {
   if (!(end > begin)) return {};
   const HullBody& body = cutter.body();
   const double size = body.surface().mesh().size();
+  // Three nodes an arc, and errors that none has: nothing is halved.
   const ArcRule rough{3, size * size, size, kDeepestScanned},
       rule = arc_rule(size, std::max(kSearched, body.tolerance()));
   std::vector<SectionArea> scan;
@@ -111,10 +116,13 @@ SectionArea largest_section(const StationCutter& cutter, const Plane& water) {
   const int left = std::max(best - 1, 0), right = std::min(best + 1, kScanned);
   const bool level = scan[left].area >= scan[best].area * (1.0 - kLevelArea) &&
                      scan[right].area >= scan[best].area * (1.0 - kLevelArea);
+  // Along a parallel middle body there is nothing to search for.
   if (level) return immersed_station(cutter, scan[best].position, water);
+  // Every area that is tried is compared with the best: that must not be a rough one.
   scan[best] = immersed_station(cutter, scan[best].position, water, rule);
   const SectionArea found = refine_largest(cutter, water, scan[left], scan[best], scan[right],
                                            kNarrow * (end - begin), rule);
+  // The place is known well enough; its area is taken again as exactly as the body's others.
   const bool searched_coarsely = body.tolerance() < kSearched;
   return searched_coarsely ? immersed_station(cutter, found.position, water) : found;
 }

@@ -32,6 +32,7 @@ void add_cubic(const BezierCubic& a, const BezierCubic& b, const BezierCubic& y,
   for (std::size_t k = 0; k + 1 < breaks.size(); ++k) {
     const double begin = breaks[k], width = breaks[k + 1] - begin;
     const double middle = begin + 0.5 * width;
+    // Between two changes of sign its middle tells for a stretch.
     if (evaluate(b, middle) >= 0.0 || evaluate(y, middle) < 0.0) continue;
     for (int i = 0; i < kNodes; ++i) {
       const double t = begin + width * rule.nodes[i];
@@ -68,6 +69,7 @@ void add_seams_and_arcs(const StationCutter& cutter, const ProfilePlane& profile
           piece, frame.across, frame.up, frame.origin,
           [&](const BezierCubic& a, const BezierCubic& b) { add_cubic(a, b, {}, sum); });
     }
+    // A piece of starboard whose side lies in the plane: the port piece beside it has that seam.
     if (highest(piece.h) <= 0.0) return;
     for_each_arc_of(piece, frame, 0.0,
                     [&](const ArcSquare& square) { add_arcs(square, 0.0, cutter.rule(), sum); });
@@ -79,6 +81,8 @@ void add_below(const ProfilePart& part, const Plane& water, double& area, Vector
   const std::array<Vector3d, 4> corners{
       Vector3d(part.x[0], 0.0, part.low[0]), Vector3d(part.x[1], 0.0, part.low[1]),
       Vector3d(part.x[1], 0.0, part.high[1]), Vector3d(part.x[0], 0.0, part.high[0])};
+  // Clipped side by side (Sutherland & Hodgman); what is convex stays so, and is a fan of
+  // triangles.
   std::vector<Vector3d> wet;
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const Vector3d &a = corners[i], &b = corners[(i + 1) % corners.size()];
@@ -111,6 +115,7 @@ ProfileArea profile_area(const StationCutter& cutter, const Plane& water) {
     add_border(ship, profile, frame, sum);
     if (!profile.is_half) add_seams_and_arcs(cutter, profile, frame, sum);
     if (!(sum.area > 0.0)) continue;
+    // The line b = 0 that closes the figure adds nothing to ∫ a db.
     result.area += sum.area;
     moment += sum.area * frame.point(sum.moment_a / sum.area, sum.moment_b / sum.area);
   }

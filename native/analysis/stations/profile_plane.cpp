@@ -31,6 +31,7 @@ void add_cubic(const BezierCubic& x, const BezierCubic& z, const BezierCubic& y,
   for (double t : sign_changes(y)) breaks.push_back(t);
   breaks.push_back(1.0);
   for (std::size_t k = 0; k + 1 < breaks.size(); ++k) {
+    // The port side's alone; of a half y is given as zero, and all counts.
     if (evaluate(y, 0.5 * (breaks[k] + breaks[k + 1])) < 0.0) continue;
     add_chords(at, breaks[k], breaks[k + 1], kBorderChords, outline);
   }
@@ -52,6 +53,7 @@ void add_arc(const ArcSquare& square, const SectionFrame& frame, ProfileOutline&
     return Vector2d(point.x(), point.z());
   };
   for_each_stretch(square, [&](double begin, double end) {
+    // With the body on the left.
     if (square.sign < 0.0) std::swap(begin, end);
     add_chords(at, begin, end, kArcChords, outline);
   });
@@ -59,6 +61,7 @@ void add_arc(const ArcSquare& square, const SectionFrame& frame, ProfileOutline&
 
 void add_seams_and_arcs(const HullBody& ship, const ProfilePlane& profile,
                         ProfileOutline& outline) {
+  // Without a level: all of the section, and the frame's water only turns its axes.
   constexpr double kAll = std::numeric_limits<double>::infinity();
   const SectionFrame frame = SectionFrame::above_water(profile.plane, {Vector3d::UnitZ(), 0.0});
   for_each_arc_piece(ship.surface(), ship.boxes(), frame, kAll, [&](const ArcPiece& piece) {
@@ -85,6 +88,7 @@ ProfilePlane profile_plane(const HullBody& ship, int body) {
     high = std::max(high, boxes.high(cell).y());
   }
   const double reach = kOnCentrePlane * ship.surface().mesh().size();
+  // The centre line of a half may be off the plane by so much.
   const bool beside = low > reach || high < -reach;
   return {body, ship.mirrored() && !beside, {Vector3d::UnitY(), beside ? 0.5 * (low + high) : 0.0}};
 }

@@ -19,6 +19,7 @@ void integrate(const ArcSquare& square, double begin, double end, const ArcRule&
   EstimatingRule::Values areas, lengths;
   SectionIntegrals part;
   for (int k = 0; k < along.count(); ++k) {
+    // By Green's theorem areas and moments, too, are integrals along the outline.
     const ArcPoint p = arc_point(square, begin + (end - begin) * along.node(k));
     const double weight = along.weight(k);
     areas[k] = p.a * p.db;
@@ -160,6 +161,7 @@ void add_line(double a0, double b0, double a1, double b1, double level, SectionI
     b1 = level;
   }
   const double da = a1 - a0, db = b1 - b0;
+  // The same integrals along a0 + t da, b0 + t db, in closed form.
   sum.area += 0.5 * (a0 + a1) * db;
   sum.moment_a += (a0 * a0 + a0 * a1 + a1 * a1) / 6.0 * db;
   sum.moment_b += (a0 * b0 + 0.5 * (a0 * db + b0 * da) + da * db / 3.0) * db;

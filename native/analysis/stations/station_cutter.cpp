@@ -44,6 +44,7 @@ ClosingLine line_between(const SectionFrame& frame, const Vector3d& from, const 
 
 ClosingLine line_to_centre_plane(const SectionFrame& frame, const BorderCrossing& crossing) {
   const Vector3d foot(crossing.point.x(), 0.0, crossing.point.z());
+  // Closing lines run on in the outline's direction: from its end, or to its beginning.
   return crossing.ends_outline ? line_between(frame, crossing.point, foot)
                                : line_between(frame, foot, crossing.point);
 }
@@ -57,6 +58,7 @@ std::vector<ClosingLine> lines_across(const SectionFrame& frame,
   std::vector<ClosingLine> lines;
   for (std::size_t i = 0; i + 1 < crossings.size();) {
     const BorderCrossing &a = crossings[i], &b = crossings[i + 1];
+    // No opening lies between two loops, two ends or two beginnings: the second may begin one.
     if (a.loop != b.loop || a.ends_outline == b.ends_outline) {
       ++i;
       continue;
@@ -89,6 +91,7 @@ SectionOutline::SectionOutline(const surface::LimitSurface& surface, const CellB
 SectionIntegrals SectionOutline::below(double level) const {
   SectionIntegrals sum;
   for (std::size_t i = 0; i < squares_.size(); ++i) {
+    // The coefficients' convex hull: none of the square reaches the level.
     if (!whole_.empty() && highest(squares_[i].b) < level) {
       sum += whole_[i];
     } else {
@@ -116,10 +119,12 @@ std::optional<double> StationCutter::distance_of_flats(double position) const {
   const double most = kInPlane * surface.mesh().size();
   std::optional<double> distance;
   const auto take = [&](const auto& points) {
+    // One point is enough to leave out most of the ship.
     if (std::abs(points[0].x() - position) > most) return;
     const double own = farthest(points, position);
     if (own <= most) distance = std::max(distance.value_or(0.0), own);
   };
+  // By control points, in whose hull the parts lie.
   for (int i = 0; i < surface.layout().leaf_count(); ++i) take(surface.leaf(i));
   for (int i = 0; i < surface.layout().corner_count(); ++i) take(surface.corner(i).outer);
   for (const BorderEdge& edge : body_->border()) take(edge.points);
