@@ -107,7 +107,7 @@ std::array<double, 2> SectionThickness::at(double s) const {
   std::size_t i = 0;
   while (i + 1 < pieces_.size() && pieces_[i].end < s) ++i;
   double y = 0.0, slope = 0.0;
-  // Horner's rule, for the derivative along with the value.
+  // By nested multiplication, the derivative along with the value.
   for (std::size_t k = pieces_[i].factors.size(); k-- > 0;) {
     slope = slope * s + y;
     y = y * s + pieces_[i].factors[k];

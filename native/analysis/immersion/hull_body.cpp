@@ -87,6 +87,7 @@ void HullBody::update() {
   boxes_.update(surface());
   close();
   stamp_.renew();
+  // Of the old points; null, so that where take() throws the hull alone is left.
   joined_ = nullptr;
   profile_ = nullptr;
   if (appendages_) take(*appendages_);
@@ -124,6 +125,7 @@ std::string HullBody::inversion() const {
   struct Sum {
     double volume = 0.0, area = 0.0;  // volume from ∫ z n_z, the same for both halves
     void add(const ShellMoments& moments) {
+      // About the rules' centre: the flux through a closed surface is the same from any origin.
       volume += moments.first(2, 2);
       area += moments.area;
     }
@@ -165,6 +167,7 @@ ShellMoments HullBody::wet_corner(int corner, Planes planes) const {
       is_below = is_below && highest < -rules.cut.zero;
     }
     if (is_below) {
+      // From here inwards nothing is cut: the series sums the rings that are left.
       sum += corner_moments(ring, basis, kept, parts_.series(corner), rules.centre, rules.corner);
       return sum;
     }
@@ -290,6 +293,7 @@ Immersion HullBody::immersion(const Plane& water) const {
   if (mirrored_) {
     const Plane image = mirror_image(water);
     // What the water covers of the other side is the image of what its own image covers of this.
+    // Upright that image is the water itself.
     const Wet other = water.normal.y() == 0.0 ? wet : wet_part({&image, 1});
     wet.shell += analysis::mirrored(other.shell);
     wet.caps += analysis::mirrored(other.caps);
