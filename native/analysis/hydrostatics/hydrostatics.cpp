@@ -41,6 +41,8 @@ class BothSides {
   FarthestPoint farthest(const Vector3d& direction, Part part) const {
     const FarthestPoint port = port_.farthest(direction, part);
     if (!mirrored_ || (upright_ && direction.y() == 0.0)) return port;
+    // What is farthest to starboard is the image of what is farthest to port along the direction's
+    // image.
     const ExtentSearch& other = upright_ ? port_ : *starboard_;
     FarthestPoint starboard = other.farthest(direction.cwiseProduct(kMirror), part);
     if (!(starboard.value > port.value)) return port;
@@ -130,6 +132,7 @@ void take_extents(const StationCutter& cutter, const Plane& water, Hydrostatics&
   const Vector3d starboard = starboard_direction(p.position.trim, p.position.heel);
   const FarthestPoint lowest = sides.farthest(-water.normal, Part::kImmersed);
   if (!lowest.found) return;
+  // Its depth below the surface, as the value is along the downward normal.
   p.immersed_draft = lowest.value + water.offset;
   p.immersed_length = sides.extent(ahead, Part::kImmersed);
   p.immersed_beam = sides.extent(starboard, Part::kImmersed);
@@ -161,6 +164,7 @@ void take_profile(const StationCutter& cutter, const Plane& water, Hydrostatics&
 // Extents, stations and profile. None of them reads what another one writes.
 void take_geometry(const StationCutter& cutter, const Plane& water, double length,
                    Hydrostatics& p) {
+  // The one station at midship goes with the profile.
   const std::array<std::function<void()>, 3> parts{
       [&] { p.largest_section = largest_section(cutter, water); },
       [&] { take_extents(cutter, water, p); },
@@ -214,6 +218,7 @@ Hydrostatics hydrostatics(const HullBody& body, const FloatingPosition& position
   const Plane water = water_plane(position);
   const Immersion immersion = body.immersion(water);
   take_buoyancy(immersion, water_density, p);
+  // Nothing is under water: what is undefined stays zero.
   if (immersion.wetted_surface == 0.0) return p;
   take_waterplane(immersion, position, water_density, p);
 

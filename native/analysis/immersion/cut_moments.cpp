@@ -37,6 +37,7 @@ class CutIntegrator {
       : points_(points), origin_(origin), water_(water), rules_(rules) {}
 
   void add(const CutSquare& square) {
+    // Where the water leaves the square its limits have a corner: the rule is for what is smooth.
     const Breaks breaks = crossing_breaks(square.height);
     for (std::size_t k = 0; k + 1 < breaks.size(); ++k) {
       add_interval(square, breaks[k], breaks[k + 1] - breaks[k], 0);
@@ -88,6 +89,7 @@ class CutIntegrator {
   void add_column(const CutSquare& square, double u, double from, double to, double weight,
                   ShellNodes& nodes) const {
     const GaussRule& inner = gauss(rules_.span);  // exact for polynomials up to its degree
+    // Columns run along v, or along u where the square is swapped.
     const double begin = square.swapped ? square.u : square.v;
     const Across across(points_, (square.swapped ? square.v : square.u) + square.size * u,
                         square.swapped);

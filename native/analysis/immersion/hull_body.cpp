@@ -163,6 +163,7 @@ ShellMoments HullBody::wet_corner(int corner, Planes planes) const {
         lowest = std::min(lowest, plane.height(p));
         highest = std::max(highest, plane.height(p));
       }
+      // The hull of a ring's points holds all that is left, down to the corner.
       if (lowest > -rules.cut.zero) return sum;
       is_below = is_below && highest < -rules.cut.zero;
     }
@@ -241,6 +242,7 @@ DownfloodingPoint HullBody::downflooding_point(const Vector3d& up) const {
     if (mirror.y() < 0.0 && !mirrored_) break;
     for (const ClosingPatch& patch : closings_) {
       if (!patch.open) continue;
+      // Along `up` the image of a curve is what the curve is along the image of `up`.
       const DownfloodingPoint point = lowest_point(patch.border, up.cwiseProduct(mirror));
       if (point.height < lowest.height) {
         lowest = {point.height, point.point.cwiseProduct(mirror)};
@@ -308,6 +310,7 @@ Immersion HullBody::immersion(const Plane& water) const {
   const Vector3d origin = centre + level * water.normal;
   Immersion result = immersion_of(moved(all, centre - origin), {water.normal, 0.0});
   result.water = water;
+  // Not measured: no number rather than zero.
   if (water_) result.wetted_surface = std::numeric_limits<double>::quiet_NaN();
   if (result.volume > 0.0) result.centre_of_buoyancy += origin;
   if (result.waterplane_area > 0.0) result.centre_of_flotation += origin;

@@ -158,6 +158,7 @@ double area_error(const Elements& elements, SpanRule rule, double area) {
   static const PerRule<TopPolynomials> rules([](SpanRule which) { return TopPolynomials(which); });
   const TopPolynomials& top = rules[rule];
   const int n = top.count, stride = row_stride(n);
+  // Along rows and along columns, as a span may be rough in one direction alone.
   double high = 0.0, highest = 0.0;
   std::array<double, LineRule::kMostNodes> column_high{}, column_highest{};
   for (int j = 0; j < n; ++j) {
