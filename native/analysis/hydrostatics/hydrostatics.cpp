@@ -148,6 +148,7 @@ void take_extents(const StationCutter& cutter, const Plane& water, Hydrostatics&
   p.half_angle_of_entrance = entrance_angle(cutter.body().surface(), bow, water.normal, ahead);
   const double setback = kChordAbaft * p.waterline_length;
   const SectionArea abaft = immersed_station(cutter, p.waterline_forward - setback, water);
+  // Half the breadth, which is that of both sides.
   p.entrance_chord_angle = std::atan2(0.5 * abaft.breadth, setback);
 }
 
