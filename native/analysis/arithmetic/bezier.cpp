@@ -24,6 +24,7 @@ int count_sign_changes(const BezierCubic& c) {
 
 void collect_roots(const BezierCubic& c, double begin, double size, Roots& roots) {
   const int changes = count_sign_changes(c);
+  // A cubic has three roots at most; rounded halves may show more changes of sign.
   if (changes == 0 || roots.full()) return;
   if (changes == 1) {
     roots.push_back(begin + size * monotonic_root(c));

@@ -106,6 +106,7 @@ void take_waterplane(const Immersion& immersion, const FloatingPosition& positio
   const Vector3d ahead = forward_direction(position.trim, position.heel);
   const Vector3d port = -starboard_direction(position.trim, position.heel);
   const Eigen::Matrix3d& second = immersion.waterplane_second;
+  // Second moments about F: the part along a horizontal axis is that about the axis square to it.
   p.waterplane_inertia_transverse = port.dot(second * port);
   p.waterplane_inertia_longitudinal = ahead.dot(second * ahead);
   p.waterplane_inertia_product = ahead.dot(second * port);
@@ -199,6 +200,7 @@ void check_hydrostatics(const FloatingPosition& position, const ProjectDimension
                                 std::to_string(position.trim) + " rad.");
   }
   for (double length : {project.length_pp, project.beam, project.draft}) {
+    // Zero is "not given".
     if (!(length >= 0.0) || !std::isfinite(length)) {
       throw std::invalid_argument("Length, beam and design draft must be positive, not " +
                                   std::to_string(length) + " m; leave out what is not known.");

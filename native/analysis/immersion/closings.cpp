@@ -122,6 +122,7 @@ std::vector<ClosingPatch> closing_patches(const surface::LimitSurface& surface,
     for (std::size_t i = 0; i < loop.spans.size(); ++i) {
       const Cubic& border = loop.spans[i];
       const Box own = extent_of(std::array<Cubic, 1>{border});
+      // There the other half goes on: no water comes in.
       const bool in_centre_plane =
           at_centre && std::max(-own.low.y(), own.high.y()) <= kOnCentrePlane * size;
       const Cubic target = across ? athwartships(border, y) : Cubic{apex, apex, apex, apex};

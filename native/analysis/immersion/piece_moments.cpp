@@ -75,6 +75,7 @@ HULL_WIDE void take_long_rows(const SpanSquare& square, const LineRule& u, const
 
 void take_nodes(const SpanSquare& square, const LineRule& u, const LineRule& v, ShellNodes& nodes) {
   (u.count <= 4 ? take_short_rows : take_long_rows)(square, u, v, nodes);
+  // Up to a whole four: what is beyond the last node has no weight.
   nodes.count = (v.count * row_stride(u.count) + 3) / 4 * 4;
 }
 

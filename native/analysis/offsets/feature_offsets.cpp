@@ -17,6 +17,7 @@ namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr int kStepsPerEdge = 16;
+// More than a parameter has bits: to the last of them.
 constexpr int kHalvings = 60;
 // Chains go on in one another where they turn by less than about 45 degrees.
 constexpr double kStraightOn = -0.7;
@@ -178,6 +179,7 @@ std::vector<FeatureOffsets> feature_offsets(const surface::LimitSurface& surface
       if (found) sum += best.z();
       if (found) ++count;
     }
+    // A feature between two stations has no column.
     if (count > 0) features.push_back({std::move(offsets), sum / count});
   }
   name_in_order(features);
