@@ -6,7 +6,8 @@
 
 namespace hull::analysis {
 
-// The vertical heeled about the ship's own x axis, then trimmed about the horizontal across her.
+// The vertical as the ship sees it: turned by the trim in her centre plane, then by the heel about
+// her own x axis.
 Vector3d up_direction(double trim, double heel) {
   return {std::sin(trim), std::sin(heel) * std::cos(trim), std::cos(heel) * std::cos(trim)};
 }
