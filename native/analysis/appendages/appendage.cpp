@@ -9,7 +9,10 @@
 namespace hull::analysis {
 namespace {
 
+// The error of cubics for a circle falls with the sixth power of their number: 64 are within 2e-11
+// of the radius, 32 within 2e-9.
 constexpr int kCircleParts = 64, kBulbParts = 32;
+// Sine of the angle below which two directions are one, or the span lies in the section's plane.
 constexpr double kNoAngle = 1e-6;
 
 using Outline = std::vector<std::array<Eigen::Vector2d, 4>>;
@@ -37,8 +40,10 @@ CubicArc reversed(const CubicArc& arc) { return {arc[3], arc[2], arc[1], arc[0]}
 
 // Of the unit circle, counter-clockwise.
 std::vector<std::array<Eigen::Vector2d, 4>> circle_arcs(int parts) {
+  // Handles of this length put the middle of an arc on the circle, too.
   const double angle = 2.0 * std::numbers::pi / parts, reach = 4.0 / 3.0 * std::tan(angle / 4.0);
   const auto at = [&](int i) {
+    // The last arc ends in the very point that the first begins in: rounding leaves no gap.
     const double a = angle * (i % parts);
     return Eigen::Vector2d(std::cos(a), std::sin(a));
   };
@@ -87,6 +92,8 @@ ClosedShell cylinder_shell(const CylinderShape& c) {
       start[i] = c.start + c.start_radius * across;
       end[i] = c.end + c.end_radius * across;
     }
+    // u runs round the axis and v along it, S_u x S_v outwards. Ends are triangles to the centre,
+    // one side of the patch being a point; at the start u runs the other way round.
     patches.push_back(ruled_patch(start, end));
     patches.push_back(ruled_patch(reversed(start), {c.start, c.start, c.start, c.start}));
     patches.push_back(ruled_patch(end, {c.end, c.end, c.end, c.end}));
@@ -111,6 +118,7 @@ void check(const FoilShape& foil) {
   require_finite(foil.thickness_direction, "thickness' direction");
   require_length(foil.root_chord, "root's chord");
   require_length(foil.tip_chord, "tip's chord");
+  // Of unit vectors: its length is the sine of the angle between them.
   const Vector3d normal =
       foil.chord_direction.normalized().cross(foil.thickness_direction.normalized());
   const Vector3d span = foil.tip - foil.root;
@@ -139,6 +147,7 @@ ClosedShell foil_shell(const FoilShape& foil) {
   const SectionForm form(foil.section);
   const FoilSections sections = sections_of(foil, form);
   const Vector3d along = foil.chord_direction.normalized();
+  // The thickness is square to the chord, whatever the angle between the two directions given.
   const Vector3d across =
       (foil.thickness_direction - foil.thickness_direction.dot(along) * along).normalized();
   const auto arc_at = [&](const auto& part, const Vector3d& origin, double chord) {
@@ -159,6 +168,8 @@ ClosedShell foil_shell(const FoilShape& foil) {
   for (std::size_t i = 0; i < root.size(); ++i) {
     add_outwards(patches, ruled_patch(root[i], tip[i]), turn);
   }
+  // Both sides have the same knots. Part i of the upper one lies over part n - 1 - i of the lower
+  // one, which runs the other way; straight lines between them fill the plane ends.
   const std::size_t n = root.size();
   for (std::size_t i = 0; i < n / 2; ++i) {
     add_outwards(patches, ruled_patch(reversed(root[i]), root[n - 1 - i]), turn);
@@ -200,8 +211,10 @@ ClosedShell bulb_shell(const BulbShape& bulb) {
           set(patch, i, j, bulb.nose + length * (part[j].x() * frame.along + part[j].y() * across));
         }
       }
+      // The outline runs from the tail to the nose: with u round the axis S_u x S_v points inwards.
       add_outwards(patches, patch, true);
     }
+    // A blunt tail is closed by a disc.
     if (outline.front()[0].y() > 0.0) {
       CubicArc rim;
       for (int i = 0; i < 4; ++i) {
@@ -217,6 +230,7 @@ ClosedShell bulb_shell(const BulbShape& bulb) {
 }  // namespace
 
 Outline outline_of(const SectionForm& form, double thickness, bool upper_only) {
+  // The section's own ordinates in proportion, of the series too, whose form varies with thickness.
   const double factor = thickness / form.thickness();
   const std::vector<double>& knots = form.knots();
   Outline outline;
@@ -234,6 +248,7 @@ ClosedShell mirror_image(const ClosedShell& shell) {
   Patches patches;
   for (const surface::BezierPatch& patch : shell.patches()) {
     surface::BezierPatch image = patch;
+    // Not -y, which would be -0 in the centre plane. A mirror image is turned inside out.
     for (double& y : image.x[1]) y = 0.0 - y;
     add_outwards(patches, image, true);
   }

@@ -64,17 +64,22 @@ Interval shadow(const surface::BezierPatch& patch, const Vector3d& on) {
   return {low, high};
 }
 
+// The equations arc(t) = S(u, v) by bisection of (t, u, v) and Newton's method. Parts carry Bezier
+// points of their own over [0, 1]; ranges say where they are in the whole arc and patch.
 class ArcSearch {
  public:
   ArcSearch(const CubicArc& arc, const ArcFrame& frame, const surface::BezierPatch& patch,
             double touching, std::vector<ArcCrossing>& found)
       : arc_(arc), frame_(frame), patch_(patch), touching_(touching), found_(found) {
+    // Rounding of a shadow goes with the coordinates, not with the part's size.
     for (const Vector3d& p : arc) scale_ = std::max(scale_, p.cwiseAbs().maxCoeff());
   }
 
   void search(const CubicArc& arc, const surface::BezierPatch& patch, Range t, Range u, Range v) {
     ++parts_;
     if (are_apart(arc, patch)) return;
+    // Derivatives of a Bezier form lie in the convex hull of its differences, but for the factor
+    // three, which all of them have.
     const std::array<Vector3d, 3> steps{arc[1] - arc[0], arc[2] - arc[1], arc[3] - arc[2]};
     std::array<Vector3d, 12> along_u, along_v;
     for (int j = 0; j < 4; ++j) {
@@ -90,10 +95,13 @@ class ArcSearch {
     const double det = normal.dot(dt.mean);
     const double a = dt.mean.norm(), b = du.mean.norm(), c = dv.mean.norm();
     // No linear combination of derivatives within their bounds is singular.
+    // By Hadamard's inequality for all terms of the determinant but that of the means.
     const double off = (a + dt.reach) * (b + du.reach) * (c + dv.reach) - a * b * c;
     if (std::abs(det) > off && take_only_root(t, u, v, det > 0.0 ? 1 : -1)) return;
+    // The longest is halved, so that the parts of arc and patch shrink to one size.
     const double sizes[] = {a + dt.reach, b + du.reach, c + dv.reach};
     const int longest = static_cast<int>(std::max_element(sizes, sizes + 3) - sizes);
+    // Beyond the limit nothing is halved any more: each part still waiting is left out or touches.
     if (3.0 * sizes[longest] < touching_ || parts_ > kMostParts) {
       found_.push_back({t.middle(), 0});
       return;
@@ -105,6 +113,7 @@ class ArcSearch {
 
  private:
   bool are_apart(const CubicArc& arc, const surface::BezierPatch& patch) const {
+    // Across the arc first, where its shadow is shortest.
     const Vector3d axes[] = {frame_.first, frame_.second, Vector3d::UnitX(), Vector3d::UnitY(),
                              Vector3d::UnitZ()};
     return std::ranges::any_of(
@@ -120,6 +129,8 @@ class ArcSearch {
 
   // Newton's method from the middle. False where it says nothing.
   bool take_only_root(Range t, Range u, Range v, int way) {
+    // In the whole arc and patch, not the part's own points, so that a root is the same to rounding
+    // from whichever part it is found.
     double x = t.middle(), y = u.middle(), z = v.middle();
     surface::SurfaceJet jet;
     for (int step = 0; step < kMostSteps; ++step) {
@@ -133,9 +144,11 @@ class ArcSearch {
       jacobian << slope, -jet.du, -jet.dv;
       const Vector3d move = jacobian.partialPivLu().solve(rest);
       x += move[0], y += move[1], z += move[2];
+      // Some way beyond the part is allowed: a step may come back from there.
       if (t.beyond(x) > t.size || u.beyond(y) > u.size || v.beyond(z) > v.size) return false;
       if (!move.allFinite()) return false;
       if (move.cwiseAbs().maxCoeff() > 1e-12) continue;
+      // A root beside this part is that of another part, or beyond the whole arc or patch.
       if (t.beyond(x) > kBeyond || u.beyond(y) > kBeyond || v.beyond(z) > kBeyond) return false;
       found_.push_back({std::clamp(x, 0.0, 1.0), way});
       return true;
@@ -179,6 +192,7 @@ Vector3d arc_point(const CubicArc& p, double t) {
 
 ArcFrame::ArcFrame(const CubicArc& arc) {
   Vector3d along = arc[3] - arc[0];
+  // A closed arc, or one that is a point, as the side of a patch where it ends in a pole.
   if (!(along.norm() > 0.0)) along = arc[1] - arc[0];
   if (!(along.norm() > 0.0)) along = Vector3d::UnitX();
   along.normalize();

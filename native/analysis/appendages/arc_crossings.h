@@ -31,7 +31,7 @@ struct ArcFrame {
 // Appends all crossings of the arc and the patch. Parts are left out where control points prove
 // them apart; one root is taken for a part's only one where bounds of the derivatives prove that;
 // others are halved. Where an arc touches a patch, or runs along it, halving ends at `touching`
-// (m), or after some hundred parts, and what is left counts as a crossing with way 0. Returns how
+// (m), or after two thousand parts, and what is left counts as a crossing with way 0. Returns how
 // many parts were looked at.
 int find_arc_crossings(const CubicArc& arc, const ArcFrame& frame,
                        const surface::BezierPatch& patch, double touching,

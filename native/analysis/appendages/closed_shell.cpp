@@ -32,6 +32,8 @@ struct ArcShadow {
       high = high.cwiseMax(p);
     }
     for (int k = 0; k < 2; ++k) {
+      // The frame's axes are across the arc: its shadows there are short where its box is not, as
+      // of a long line aslant.
       double least = axes[k].dot(arc[0]), most = least;
       for (const Vector3d& p : arc) {
         least = std::min(least, axes[k].dot(p));
@@ -48,6 +50,8 @@ struct ArcShadow {
     }
     const Vector3d centre = 0.5 * (box.min() + box.max()), reach = 0.5 * (box.max() - box.min());
     for (int k = 0; k < 2; ++k) {
+      // Half of a box's shadow on an axis is the sum of its half sides by the axis' absolute
+      // components.
       const double most = axes[k].cwiseAbs().dot(reach) + half[k];
       if (std::abs(axes[k].dot(centre) - middle[k]) > most) return false;
     }
@@ -61,6 +65,8 @@ bool count_crossings(std::vector<ArcCrossing>& crossings, int& outwards) {
   outwards = 0;
   for (std::size_t i = 0; i < crossings.size(); ++i) {
     if (crossings[i].way == 0) return false;
+    // One crossing at a common side, found in both patches, or two at a sharp edge: either guess
+    // could be wrong, and another line costs little.
     if (i > 0 && crossings[i].t - crossings[i - 1].t < kTogether) return false;
     outwards += crossings[i].way;
   }
@@ -75,6 +81,7 @@ ClosedShell::ClosedShell(std::vector<surface::BezierPatch> patches, double least
   for (const surface::BezierPatch& patch : patches_) boxes.push_back(patch.box());
   std::iota(order_.begin(), order_.end(), 0);
   build(0, static_cast<int>(order_.size()), boxes);
+  // What lies in a box only to rounding, as patches that are plane, must not be missed.
   const double rounding = 1e-14 * (box().diagonal().norm() + box().max().cwiseAbs().maxCoeff());
   for (Eigen::AlignedBox3d& own : boxes_) {
     own.min().array() -= rounding;
@@ -86,6 +93,7 @@ ClosedShell::ClosedShell(std::vector<surface::BezierPatch> patches, double least
 int ClosedShell::build(int begin, int end, const std::vector<Eigen::AlignedBox3d>& boxes) {
   const int number = static_cast<int>(nodes_.size());
   nodes_.push_back({begin, end});
+  // Halved along the axis on which the patches' centres are spread most.
   Eigen::AlignedBox3d box, centres;
   for (int i = begin; i < end; ++i) {
     box.extend(boxes[order_[i]]);
@@ -98,6 +106,7 @@ int ClosedShell::build(int begin, int end, const std::vector<Eigen::AlignedBox3d
   const int middle = (begin + end) / 2;
   std::nth_element(order_.begin() + begin, order_.begin() + middle, order_.begin() + end,
                    [&](int a, int b) { return boxes[a].center()[axis] < boxes[b].center()[axis]; });
+  // By number, not by reference: the nodes have moved when these return.
   const int left = build(begin, middle, boxes), right = build(middle, end, boxes);
   nodes_[number].left = left;
   nodes_[number].right = right;
@@ -106,6 +115,7 @@ int ClosedShell::build(int begin, int end, const std::vector<Eigen::AlignedBox3d
 
 template <class Meets, class Visit>
 void ClosedShell::visit(const Meets& meets, const Visit& act) const {
+  // Nodes are halved by number, so that the tree is no deeper than 32 and the stack never full.
   std::array<int, 64> stack{};
   int depth = 0;
   stack[depth++] = 0;
@@ -156,6 +166,7 @@ bool ClosedShell::is_inside(const Vector3d& point, PartsLeft* parts_left) const 
     if (parts_left) *parts_left -= parts;
     if (count_crossings(crossings, outwards)) break;
   }
+  // Not "one": bodies of a shell that overlap are left one by one.
   return outwards > 0;
 }
 

@@ -24,6 +24,7 @@ surface::BezierPatch mirror_image(const surface::BezierPatch& patch) {
   for (int k = 0; k < 3; ++k) {
     for (int j = 0; j < 4; ++j) {
       for (int i = 0; i < 4; ++i) {
+        // u and v change places, as mirroring turns the normal inwards.
         image.x[k][4 * i + j] = k == 1 ? 0.0 - patch.x[k][4 * j + i] : patch.x[k][4 * j + i];
       }
     }
@@ -55,6 +56,7 @@ std::vector<JoinedMember> hull_members(const HullBody& body) {
           add(own, piece.points, false, body.mirrored());
         });
   }
+  // Closings count for volumes and for what is inside, but not for the wetted surface.
   for (const ClosingPatch& closing : body.closings()) {
     add(all[bodies.of_cell[closing.cell]], closing.cap, true, body.mirrored());
   }
@@ -74,6 +76,7 @@ std::shared_ptr<const JoinedShells> joined_shells(const HullBody& body,
   for (const Appendage& appendage : appendages) {
     const MemberRole role = appendage.is_cut ? MemberRole::kCut : MemberRole::kAdded;
     ClosedShell shell = shell_of(appendage.shape);
+    // Without the appendage, which is listed once.
     if (appendage.mirrored) members.push_back({mirror_image(shell), role, appendage.name});
     members.push_back({std::move(shell), role, appendage.name, {}, appendage});
   }

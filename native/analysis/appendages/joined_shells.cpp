@@ -40,6 +40,7 @@ void for_each(std::size_t count, const std::function<void(std::size_t)>& work) {
 
 double extent(const surface::BezierPatch& patch, int axis) {
   const int step = axis == 0 ? 1 : 4, other = axis == 0 ? 4 : 1;
+  // The longest of the control polygons bounds the length of all lines of that direction.
   double longest = 0.0;
   for (int j = 0; j < 4; ++j) {
     double length = 0.0;
@@ -69,6 +70,8 @@ JoinedShells::JoinedShells(std::vector<JoinedMember> members, const Vector3d& or
       sources.push_back({static_cast<int>(m), has_area, &patches[i]});
     }
   }
+  // Into a place for each patch, then in their order: sums are the same to the last bit on any
+  // number of threads.
   std::vector<std::vector<Piece>> found(sources.size());
   for_each(sources.size(),
            [&](std::size_t i) { collect(sources[i], *sources[i].patch, 0, found[i]); });
@@ -84,6 +87,7 @@ JoinedShells::JoinedShells(std::vector<JoinedMember> members, const Vector3d& or
   } catch (const SurfacesInOneAnother&) {
     refuse();
   }
+  // It is the caller's, for the making alone: later pieces are cut by water without a limit.
   parts_left_ = nullptr;
   check_closed();
 }
@@ -97,6 +101,7 @@ bool JoinedShells::is_taken(int member, const std::vector<bool>& inside) const {
     bool& within = members_[m].role == MemberRole::kCut ? within_cut : within_solid;
     within = within || inside[m];
   }
+  // The wall of a hole is there only within what is solid, and once where holes meet.
   if (role == MemberRole::kCut) return within_solid && !within_cut;
   const bool is_gone = within_solid || within_cut;
   return role == MemberRole::kHull ? is_gone : !is_gone;
@@ -121,8 +126,11 @@ void JoinedShells::collect(const Source& source, const surface::BezierPatch& pat
     volume = std::min(volume, volume_of(other.box()));
     area = std::min(area, area_of(other.box()));
   }
+  // Outside of all other members: of the hull nothing is gone, and a hole there has no wall.
   if (!is_among && role != MemberRole::kAdded) return;
   const double u = extent(patch, 0), v = extent(patch, 1);
+  // Lines are laid through a piece no farther from one another than the other body is thick, or a
+  // closed curve of intersection could lie between them.
   if (std::max(u, v) > width && depth < kMostHalvingsOfPatch) {
     surface::BezierPatch low, high;
     patch.split(u > v ? 0 : 1, low, high);
@@ -130,6 +138,7 @@ void JoinedShells::collect(const Source& source, const surface::BezierPatch& pat
     collect(source, high, depth + 1, pieces);
     return;
   }
+  // No surface of a member that is not near meets this box: the middle tells for all of the piece.
   surface::SurfaceJet jet;
   surface::evaluate_first(patch, 0.5, 0.5, jet);
   std::vector<bool> within(members_.size());
@@ -139,6 +148,8 @@ void JoinedShells::collect(const Source& source, const surface::BezierPatch& pat
     if (*parts_left_ < 0) refuse();
   }
   if (near.empty() && !is_taken(member, within)) return;
+  // The flux of the hull's lost parts counts less, and the normal of what is cut out points into
+  // what is left, not out of it; but its area is gained.
   const double sign = role == MemberRole::kAdded ? 1.0 : -1.0;
   const double sense = role == MemberRole::kHull ? -1.0 : 1.0;
   const Eigen::AlignedBox3d& own = members_[member].shell.box();
@@ -159,6 +170,7 @@ ShellMoments JoinedShells::moments_of(const Piece& piece, const Plane* water,
   for (int m : piece.near) near.push_back(&members_[m].shell);
   std::vector<bool> within = piece.within;
   const auto takes = [&](const std::vector<bool>& inside) {
+    // Of near members each stretch of a line tells anew; of all others it is known.
     for (std::size_t k = 0; k < piece.near.size(); ++k) within[piece.near[k]] = inside[k];
     return is_taken(piece.member, within);
   };
@@ -166,6 +178,7 @@ ShellMoments JoinedShells::moments_of(const Piece& piece, const Plane* water,
   ShellMoments moments = near.empty() && !water
                              ? whole_patch_moments(piece.patch, rule)
                              : cut_patch_moments(piece.patch, near, takes, water, rule);
+  // The factors of flux and area differ, and errors are not to become negative.
   const double area = piece.area * moments.area, error = std::abs(piece.area) * moments.area_error;
   const double volume_error = moments.volume_error;
   moments *= piece.flux;
@@ -182,6 +195,7 @@ ShellMoments JoinedShells::wet_moments_of(const Piece& piece, const Plane& water
     lowest = std::min(lowest, height);
     highest = std::max(highest, height);
   }
+  // A piece in the very plane of the water is above it, as everywhere.
   if (lowest >= 0.0) return {};
   return highest <= 0.0 ? piece.moments : moments_of(piece, &water, nullptr);
 }
@@ -204,6 +218,7 @@ std::vector<std::string> JoinedShells::idle_cuts() const {
   for (std::size_t m = 0; m < members_.size(); ++m) {
     const JoinedMember& own = members_[m];
     if (own.role != MemberRole::kCut || !own.appendage) continue;
+    // A hole's wall is there only within something solid.
     if (walls[m] <= kNoWall * area_of(own.shell.box())) names.push_back(own.name);
   }
   return names;
@@ -213,6 +228,7 @@ std::vector<std::string> JoinedShells::idle_cuts() const {
 void JoinedShells::check_closed() const {
   Eigen::AlignedBox3d least = members_.front().shell.box();
   for (const JoinedMember& member : members_) {
+    // A gap beside the smallest member must not be lost in the size of the hull.
     if (volume_of(member.shell.box()) < volume_of(least)) least = member.shell.box();
   }
   const Vector3d fluxes = whole_.first.diagonal();

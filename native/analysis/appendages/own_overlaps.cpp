@@ -60,6 +60,7 @@ std::vector<Box> boxes_of_bodies(const HullBody& body) {
 }
 
 bool is_sheet(const ClosedShell& shell) {
+  // A third of the sum of the fluxes of (x, 0, 0), (0, y, 0) and (0, 0, z) is the volume.
   return moments_of(shell).first.trace() / 3.0 <= kSheet * space_in(shell.box());
 }
 
@@ -68,6 +69,7 @@ std::optional<double> exact_overlap(const JoinedMember& a, const JoinedMember& b
                                     PartsLeft& parts_left) {
   try {
     const JoinedShells joined({a, b}, a.shell.box().center(), kTolerance, &parts_left);
+    // What both have in common counts once less: the change is its volume, negative.
     return -joined.whole_change().first.trace() / 3.0;
   } catch (const std::invalid_argument&) {
     return std::nullopt;
@@ -77,6 +79,7 @@ std::optional<double> exact_overlap(const JoinedMember& a, const JoinedMember& b
 // Points that are spread evenly and are in no plane of the box: multiples of powers of an
 // irrational number, modulo 1.
 std::vector<Vector3d> samples_of(const Box& box) {
+  // The root of x^4 = x + 1, for three dimensions what the golden ratio is for one.
   constexpr double kRoot = 1.2207440846057596;
   Vector3d at = Vector3d::Constant(0.5);
   const Vector3d step(1.0 / kRoot, 1.0 / (kRoot * kRoot), 1.0 / (kRoot * kRoot * kRoot));
@@ -95,6 +98,7 @@ double sampled_overlap(const ClosedShell& a, const ClosedShell& b) {
   std::atomic<int> both = 0;
   const auto count = [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
+      // A count does not depend on the threads' order.
       if (a.is_inside(points[i]) && b.is_inside(points[i])) ++both;
     }
   };
@@ -126,6 +130,8 @@ std::vector<OwnOverlap> own_overlaps(const HullBody& body) {
     PartsLeft own_left = std::max(kPartsOfSamples, parts_left / 4 * 3);
     parts_left -= own_left;
     const std::optional<double> exact = exact_overlap(members[i], members[j], own_left);
+    // What was not needed comes back; how far below zero a refused pair ended depends on the
+    // threads.
     parts_left += std::max(own_left.load(), 0);
     if (!exact) parts_left -= kPartsOfSamples;
     const double volume = exact ? *exact : sampled_overlap(a, b);

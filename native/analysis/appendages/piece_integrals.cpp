@@ -32,6 +32,7 @@ struct LineRange {
   std::array<double, 2> at(double s) const {
     double share = s, slope = 1.0;
     if (folds_at_begin && folds_at_end) {
+      // The cubic that is level at both ends.
       share = s * s * (3.0 - 2.0 * s);
       slope = 6.0 * s * (1.0 - s);
     } else if (folds_at_begin) {
@@ -76,11 +77,13 @@ class CarefulRule {
     double begin = 0.0, end = 0.0;  // there, of the polynomial through the nodes' values
     for (int degree = 0; degree < kAlong; ++degree) {
       for (int i = 0; i < kAlong; ++i) sizes[degree] += weights_[degree][i] * values[i];
+      // Legendre polynomials of odd degree change sign with their argument.
       begin += sizes[degree] * std::legendre(degree, 1.0 - 2.0 * kAtEnd) * (degree % 2 ? -1 : 1);
       end += sizes[degree] * std::legendre(degree, 1.0 - 2.0 * kAtEnd);
     }
     const double low = std::abs(sizes[4]) + std::abs(sizes[5]),
                  top = std::abs(sizes[8]) + std::abs(sizes[9]);
+    // Of four degrees, 4 and 5 to 8 and 9, in pairs as even or odd ones alone may vanish.
     const double fall = low > 0.0 ? top / low : 1.0;
     const double missed = std::abs(ends[0] - begin) + std::abs(ends[1] - end);
     // To degree 20, of which the error is, it falls by 11 more.
@@ -106,6 +109,8 @@ class PieceIntegral {
     // twice or not at all. Else the direction with fewer breaks has lines at larger angles to it.
     const bool back_u = u0.size() > 1 || u1.size() > 1, back_v = v0.size() > 1 || v1.size() > 1;
     if (back_u == back_v ? u0.size() + u1.size() > v0.size() + v1.size() : back_v) {
+      // With u and v exchanged the normal S_u x S_v is turned round: fluxes have to change sign,
+      // areas and errors not.
       lines_.transpose();
       ShellMoments sum = over(v0, v1);
       const double area = sum.area, area_error = sum.area_error, volume_error = sum.volume_error;
@@ -140,6 +145,8 @@ class PieceIntegral {
       ShellMoments line = lines_.along(v);
       found.places.push_back(v);
       found.counts.push_back(lines_.counts());
+      // The three fluxes of the volume, x n_x, y n_y and z n_z: which of them is hard to integrate
+      // depends on how the piece lies.
       for (int k = 0; k < 3; ++k) values[k][i] = dv * line.first(k, k);
       values[3][i] = dv * line.area;
       line *= dv * along.weight(i);
@@ -186,6 +193,7 @@ class PieceIntegral {
       // be others still.
       const double at = turning(found.places[i], found.places[i + 1], before),
                    beyond = std::max(at, turning(found.places[i + 1], found.places[i], after));
+      // Where crossings begin at `beyond`, or end at `at`, the curve turns back there.
       LineRange& last = parts.back();
       const LineRange next{beyond, last.begin + last.width - beyond, sum_of(after) > sum_of(before),
                            last.folds_at_end};
@@ -234,12 +242,14 @@ ShellMoments by_lines(const surface::BezierPatch& patch, const Vector3d& origin)
 ShellMoments by_halves(const surface::BezierPatch& patch, const ShellMoments& whole,
                        const PieceRule& rule, int depth) {
   surface::BezierPatch half[2];
+  // Across u and v by turns.
   patch.split(depth % 2, half[0], half[1]);
   ShellMoments parts[] = {by_lines(half[0], rule.origin), by_lines(half[1], rule.origin)};
   const double error = std::abs(parts[0].area + parts[1].area - whole.area);
   if (error > rule.area && depth < kMostAreaHalves) {
     for (int k = 0; k < 2; ++k) parts[k] = by_halves(half[k], parts[k], rule, depth + 1);
   } else {
+    // Of the whole, not the halves, whose error is smaller: an estimate on the safe side.
     parts[0].area_error += error;
   }
   parts[0] += parts[1];

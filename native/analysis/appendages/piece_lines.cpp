@@ -29,6 +29,7 @@ PatchLine::PatchLine(const surface::BezierPatch& patch, double v) {
     const Vector3d p[] = {patch.point(i), patch.point(4 + i), patch.point(8 + i),
                           patch.point(12 + i)};
     const double s = 1.0 - v;
+    // Bernstein's polynomials of v in each column leave the cubics along u of S and of S_v.
     arc[i] = s * s * (s * p[0] + 3.0 * v * p[1]) + v * v * (3.0 * s * p[2] + v * p[3]);
     across[i] = 3.0 * (s * s * (p[1] - p[0]) + 2.0 * s * v * (p[2] - p[1]) + v * v * (p[3] - p[2]));
   }
@@ -70,6 +71,7 @@ void PieceLines::add_water(const CubicArc& arc, std::vector<double>& breaks) con
 }
 
 void PieceLines::spend(int parts) const {
+  // One count for all threads: whoever brings it below zero ends the whole computation.
   if (parts_left_ && (*parts_left_ -= parts) < 0) throw SurfacesInOneAnother();
 }
 
@@ -80,6 +82,7 @@ std::vector<double> PieceLines::side_breaks(int first, int step) const {
   for (const ClosedShell* surface : surfaces_) spend(surface->find_crossings(arc, crossings));
   std::ranges::sort(crossings, {}, &ArcCrossing::t);
   for (const ArcCrossing& crossing : crossings) {
+    // The corners of the piece are ends of intervals anyhow.
     if (crossing.t <= kApart || crossing.t >= 1.0 - kApart) continue;
     if (breaks.empty() || crossing.t - breaks.back() > kApart) breaks.push_back(crossing.t);
   }
@@ -95,9 +98,12 @@ bool PieceLines::is_inside(int surface, const PatchLine& line, double u) const {
     return at->way != 0 && (at == all.begin() || at->t - (at - 1)->t > kApart) &&
            (at + 1 == all.end() || (at + 1)->t - at->t > kApart);
   };
+  // A line is inside behind a crossing inwards, and before one outwards. Crossings that touch, or
+  // that may be one found twice, tell nothing.
   if (after != all.begin() && alone(after - 1)) return (after - 1)->way < 0;
   if (after != all.end() && alone(after)) return after->way > 0;
   const bool inside = surfaces_[surface]->is_inside(line.point(u), parts_left_);
+  // The line's parts are taken off already: this asks whether any are left.
   spend(0);
   return inside;
 }
@@ -105,6 +111,7 @@ bool PieceLines::is_inside(int surface, const PatchLine& line, double u) const {
 // Where a line crosses surfaces and the water, unsorted.
 std::vector<double> PieceLines::line_breaks(const PatchLine& line) {
   std::vector<double> breaks;
+  // The last one counts the water.
   counts_.assign(surfaces_.size() + 1, 0);
   for (std::size_t k = 0; k < surfaces_.size(); ++k) {
     crossings_[k].clear();
@@ -113,6 +120,7 @@ std::vector<double> PieceLines::line_breaks(const PatchLine& line) {
     double before = -1.0;
     for (const ArcCrossing& crossing : crossings_[k]) {
       breaks.push_back(crossing.t);
+      // A crossing at a side that two patches share is found in both, and counts once.
       counts_[k] += crossing.t - before > kApart;
       before = crossing.t;
     }
@@ -132,6 +140,8 @@ const LineCounts& PieceLines::counts_at(double v) {
 void PieceLines::count_touches() {
   for (const std::vector<ArcCrossing>& crossings : crossings_) {
     const auto touching = std::ranges::count(crossings, 0, &ArcCrossing::way);
+    // Along an area many parts of one line touch, at a near tangent a few: one line of the first
+    // kind weighs as much as many of the other.
     touched_ += touching >= kManyTouches ? kMostIsolated : touching > 0;
   }
   if (touched_ > kMostTouching * kMostIsolated) throw SurfacesInOneAnother();
@@ -146,10 +156,12 @@ ShellMoments PieceLines::along(double v) {
   std::ranges::sort(breaks);
   ShellMoments sum;
   std::vector<bool> inside(surfaces_.size());
+  // Between two breaks nothing changes: the middle tells for the whole stretch.
   for (std::size_t i = 0; i + 1 < breaks.size(); ++i) {
     const double size = breaks[i + 1] - breaks[i], middle = breaks[i] + 0.5 * size;
     if (size < kNoStretch) continue;
     const Vector3d point = line.point(middle);
+    // Zero is above, as for all that water cuts.
     if (water_ && water_->height(point) >= 0.0) continue;
     for (std::size_t k = 0; k < surfaces_.size(); ++k) {
       inside[k] = is_inside(static_cast<int>(k), line, middle);

@@ -19,6 +19,7 @@ std::vector<Vector2d> convex_hull(std::vector<Vector2d> points) {
   };
   std::sort(points.begin(), points.end(), before);
   std::vector<Vector2d> chain;
+  // Points on a straight side go, too: they are not to its left.
   const auto extend = [&](const Vector2d& p, std::size_t first) {
     while (chain.size() >= first + 2 &&
            cross(chain.end()[-1] - chain.end()[-2], p - chain.end()[-2]) <= 0.0) {
@@ -27,6 +28,7 @@ std::vector<Vector2d> convex_hull(std::vector<Vector2d> points) {
     chain.push_back(p);
   };
   for (const Vector2d& p : points) extend(p, 0);
+  // The lower side is done; the upper one begins at its end and must not take from it.
   const std::size_t first = chain.size() - 1;
   for (auto p = points.rbegin() + 1; p != points.rend(); ++p) extend(*p, first);
   chain.pop_back();
@@ -51,6 +53,8 @@ std::vector<Vector2d> sampled(const ClosedShell& shell) {
 std::vector<Vector2d> meridian(const BulbShape& bulb) {
   const double length = (bulb.tail - bulb.nose).norm();
   const Vector2d nose = seen(bulb.nose), along = seen((bulb.tail - bulb.nose) / length);
+  // `along` is shorter than one where the axis runs athwartships as well, and so is the bulb as
+  // seen; its breadth is not.
   const Vector2d across = Vector2d(-along.y(), along.x()).normalized();
   std::vector<Vector2d> points, others;
   for (const auto& part : outline_of(SectionForm(bulb.section), bulb.diameter / length, true)) {
@@ -79,6 +83,7 @@ ProfileOutline profile_outline(const Appendage& appendage) {
   ProfileOutline outline{appendage.is_cut ? MemberRole::kCut : MemberRole::kAdded, {}};
   if (appendage.is_cut && !is_across_ship(appendage.shape)) return outline;
   const auto* bulb = std::get_if<BulbShape>(&appendage.shape);
+  // Seen end on a bulb has no meridian, but is convex.
   const bool lengthwise = bulb && seen(bulb->tail - bulb->nose).norm() > 0.0;
   const std::vector<Vector2d> points =
       lengthwise ? meridian(*bulb) : convex_hull(sampled(shell_of(appendage.shape)));

@@ -29,6 +29,7 @@ LengthRange length_range_of(const std::vector<ProfileOutline>& outlines) {
   const bool several = std::count_if(outlines.begin(), outlines.end(), is_hull) > 1;
   LengthRange range;
   for (const ProfileOutline& outline : outlines) {
+    // A hull alone is its own union: only where something else is seen may anything differ.
     if (is_hull(outline) && !several) continue;
     for (const auto& line : outline.lines) {
       for (const Vector2d& p : line) {
@@ -45,6 +46,7 @@ std::vector<ProfileEdge> edges_within(const std::vector<ProfileOutline>& outline
   std::vector<ProfileEdge> edges;
   for (std::size_t k = 0; k < outlines.size(); ++k) {
     for (const auto& [a, b] : outlines[k].lines) {
+      // Upright lines have no edges: strips between breaks have upright sides of their own.
       if (a.x() == b.x()) continue;
       const bool forward = a.x() < b.x();
       const ProfileEdge edge{forward ? a : b, forward ? b : a, static_cast<int>(k),
@@ -62,10 +64,12 @@ void add_crossings(const std::vector<ProfileEdge>& edges, std::vector<double>& b
   for (std::size_t i = 0; i < edges.size(); ++i) {
     for (std::size_t j = i + 1; j < edges.size(); ++j) {
       const ProfileEdge &a = edges[i], &b = edges[j];
+      // Edges are sorted by where they begin: none of the following meets this one either.
       if (b.from.x() >= a.to.x()) break;
       if (a.outline == b.outline) continue;
       const double begin = b.from.x(), end = std::min(a.to.x(), b.to.x());
       const double first = a.at(begin) - b.at(begin), last = a.at(end) - b.at(end);
+      // Edges that only touch keep their order.
       if (first * last < 0.0) breaks.push_back(begin + (end - begin) * first / (first - last));
     }
   }
@@ -128,12 +132,15 @@ std::vector<ProfilePart> profile_union(const std::vector<ProfileOutline>& outlin
   std::vector<int> winding(outlines.size());
   for (std::size_t k = 0; k < over.size(); ++k) {
     const double begin = breaks[k], end = breaks[k + 1], middle = 0.5 * (begin + end);
+    // Outlines do not cross within a strip: the order at its middle is that of all of it.
     std::sort(over[k].begin(), over[k].end(), [&](const ProfileEdge* a, const ProfileEdge* b) {
       return a->at(middle) < b->at(middle);
     });
     std::fill(winding.begin(), winding.end(), 0);
     for (std::size_t i = 0; i + 1 < over[k].size(); ++i) {
       const ProfileEdge &below = *over[k][i], &above = *over[k][i + 1];
+      // From below upwards each edge crossed changes by one how often its outline goes round a
+      // place.
       winding[below.outline] += below.way;
       const int times = times_more(outlines, winding);
       if (times == 0) continue;

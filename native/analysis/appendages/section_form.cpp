@@ -27,13 +27,17 @@ SectionForm::SectionForm(const std::string& name) : name_(name), form_(section_n
 double SectionForm::half_thickness(double x) const { return form_.thickness.at(std::sqrt(x))[0]; }
 
 SectionForm::Point SectionForm::outline(double s, int side, double factor, bool behind) const {
+  // By s = √x the round nose is a smooth curve: y goes with s there.
   const double x = s * s;
   auto [half, rise] = form_.thickness.at(s);
   half *= side * factor;
   rise *= side * factor;
   auto [slope, bend] = form_.mean_line.perpendicular_slopes(x, behind);
   bend *= 2.0 * s;
+  // The normal is (-slope, 1) / length; its derivatives by s are -bend / cube and -slope bend /
+  // cube, with bend by s, too.
   const double length = std::sqrt(1.0 + slope * slope), cube = length * length * length;
+  // At the nose of loaded lines the slope is infinite, but like a logarithm: s times it is zero.
   return {{x - half * slope / length, mean_line(x) + half / length},
           {2.0 * s - rise * slope / length - half * bend / cube,
            2.0 * s * form_.mean_line.held_slopes(x, behind)[0] + rise / length -
@@ -46,6 +50,7 @@ std::vector<double> SectionForm::even_knots() const {
   std::vector<double> all, joints;
   if (own.size() <= 3) {
     for (int i = 0; i <= kParts; ++i) all.push_back(static_cast<double>(i) / kParts);
+    // Where two formulas meet there has to be a knot.
     joints.assign(own.begin() + 1, own.end() - 1);
   } else {
     for (std::size_t i = 0; i + 1 < own.size(); ++i) {
@@ -64,6 +69,7 @@ std::vector<double> SectionForm::even_knots() const {
 }
 
 void SectionForm::add_knots(double from, double to, int depth) {
+  // Both sides have the same knots, as the plane ends of foils need them.
   const double error = std::max(largest_error(from, to, 1), largest_error(from, to, -1));
   if (error > kError && depth < kMostHalvings) {
     const double middle = 0.5 * (from + to);
@@ -89,6 +95,7 @@ double SectionForm::largest_error(double from, double to, int side) const {
 
 std::array<Eigen::Vector2d, 4> outline_part(const SectionForm& form, double from, double to,
                                             int side, double factor) {
+  // Of both ends the tangent within the part, whichever way it is run through.
   const SectionForm::Point a = form.outline(from, side, factor, to > from),
                            b = form.outline(to, side, factor, from > to);
   const double third = (to - from) / 3.0;

@@ -12,6 +12,8 @@ namespace {
 constexpr double kMeeting = 1e-12;  // of the chord: where two parts meet
 constexpr double kEvenLoad = 1e-6;  // a less than this from 1 is 1
 constexpr double kNearTip = 1e-15;  // of the chord: where a slope is infinite
+// With a = 1 the slope grows without end towards the trailing edge, and is no tangent for a cubic
+// there.
 constexpr double kHeldFrom = 1.0 - 1e-5;
 constexpr double kNearFall = 1e-6;  // likewise of the curvature, where the load begins to fall
 constexpr double kFirstStation = 0.005;
@@ -32,6 +34,7 @@ constexpr double kBridge = 0.85, kStraightFrom = 0.9;
 
 double square(double x) { return x * x; }
 double cube(double x) { return x * x * x; }
+// Of |x|, and finite at 0, where it is multiplied by zero.
 double log_of(double x) {
   return std::log(std::max(std::abs(x), std::numeric_limits<double>::min()));
 }
@@ -40,6 +43,7 @@ struct LoadTerms {
   double g, h;
 };
 
+// g and h of equation 4.26 of Abbott & Doenhoff (1959).
 LoadTerms load_terms(double a) {
   const double rest = 1.0 - a;
   const double g = -(square(a) * (0.5 * log_of(a) - 0.25) + 0.25) / rest;
@@ -64,6 +68,7 @@ SectionMeanLine SectionMeanLine::five_digits(double lift, int twentieths, bool i
   line.place_ = cubic.r;
   if (is_reflexed) {
     const double highest = 0.05 * twentieths;
+    // k2 / k1, for which the moment about the quarter chord is zero.
     line.second_ = (3.0 * square(cubic.r - highest) - cube(cubic.r)) / cube(1.0 - cubic.r);
   }
   return line;
@@ -73,6 +78,7 @@ SectionMeanLine SectionMeanLine::loaded(double lift, double a) {
   SectionMeanLine line;
   line.kind_ = Kind::kLoaded;
   line.size_ = lift;
+  // Equation 4.26 divides by 1 - a; at a = 1 its limit, 4.27, takes its place.
   line.place_ = 1.0 - a < kEvenLoad ? 1.0 : a;
   return line;
 }
@@ -84,6 +90,7 @@ SectionMeanLine SectionMeanLine::loaded_6a(double lift) {
 }
 
 bool SectionMeanLine::is_behind(double x, double joint, bool behind) const {
+  // At a joint, but for rounding of √x and its square, x does not tell the side: who asks does.
   return std::abs(x - joint) < kMeeting ? behind : x > joint;
 }
 
@@ -96,12 +103,16 @@ double SectionMeanLine::height(double x) const {
       if (x < p) return size_ / square(p) * x * (2.0 * p - x);
       return size_ / square(1.0 - p) * (1.0 - 2.0 * p + x * (2.0 * p - x));
     case Kind::kFiveDigits: {
+      // One formula for both parts, with k2 / k1 before the cubic term behind r; 0 makes that
+      // straight.
       const double bow = (x < p ? 1.0 : second_) * cube(x - p);
       return size_ / 6.0 * (bow - second_ * cube(1.0 - p) * x + cube(p) * (1.0 - x));
     }
     case Kind::kLoaded:
       return loaded_height(x);
     case Kind::kLoaded6A:
+      // size_ is the share of the lift that the loaded line has; the slope was published for all of
+      // it.
       if (x <= kBridge) return loaded_height(x);
       return x < kStraightFrom ? bridge_height(x) : size_ / kShare * kStraightSlope * (x - 1.0);
   }
@@ -160,6 +171,7 @@ double SectionMeanLine::loaded_height(double x) const {
   const double a = place_, rest = 1.0 - x, factor = size_ / (2.0 * std::numbers::pi * (a + 1.0));
   if (a == 1.0) return -factor * (rest * log_of(rest) + x * log_of(x));
   const auto [g, h] = load_terms(a);
+  // The terms of equation 4.26 in 1 / (1 - a), gathered: each is z² (ln z / 2 - 1 / 4).
   const double loads =
       square(a - x) * (0.5 * log_of(a - x) - 0.25) - square(rest) * (0.5 * log_of(rest) - 0.25);
   return factor * (loads / (1.0 - a) - x * log_of(x) + g - h * x);
@@ -172,6 +184,7 @@ std::array<double, 2> SectionMeanLine::loaded_slopes(double x) const {
     x = std::min(x, 1.0 - kNearTip);
     return {factor * (log_of(1.0 - x) - log_of(x)), -factor * (1.0 / (1.0 - x) + 1.0 / x)};
   }
+  // At a and at 1 the slope is finite, but the curvature has a logarithm: it is held beside them.
   const double rest = std::max(1.0 - x, kNearFall), before = a - x;
   const double near = std::max(std::abs(before), kNearFall);
   const double loads = rest * log_of(rest) - before * log_of(before);
@@ -183,6 +196,7 @@ double SectionMeanLine::bridge_height(double x) const {
   const double h = kStraightFrom - kBridge, t = (x - kBridge) / h, q = 1.0 - t;
   const double from = loaded_height(kBridge), slope = loaded_slopes(kBridge)[0];
   const double tail = size_ / kShare * kStraightSlope, to = tail * (kStraightFrom - 1.0);
+  // Hermite's cubic between the curve's end and the straight line, with the slopes of both.
   return square(q) * (1.0 + 2.0 * t) * from + square(t) * (1.0 + 2.0 * q) * to +
          h * t * q * (q * slope - t * tail);
 }

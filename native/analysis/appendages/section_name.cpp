@@ -7,7 +7,9 @@
 namespace hull::analysis {
 namespace {
 
+// Parts: camber or lift, its place, reflexed or not (five digits only), thickness, nose and tenths.
 const std::regex kDigits(R"((\d)(\d)(\d)?(\d\d)(-([1-9])([2-6]))?)");
+// Parts: series, its range of low drag, A of 6A-series, lift, thickness, a.
 const std::regex kSeries(
     R"(6([3-5])(\(\d\)|\d)?(A-?|-)(\d)(\d\d)(,? *a *= *(0?\.\d+|[01](\.0*)?))?)");
 // The 6A-series' own mean line.
@@ -29,6 +31,7 @@ SectionMeanLine mean_line_by_digits(const std::string& name, const std::smatch& 
     return SectionMeanLine::four_digits(0.01 * first, 0.1 * second);
   }
   const int third = std::stoi(part[3]);
+  // Reflexed lines were published from 221 on, plain ones from 210.
   if (first == 0 || second < 1 + third || second > 5 || third > 1) refuse(name);
   return SectionMeanLine::five_digits(0.15 * first, second, third == 1);
 }
@@ -61,6 +64,7 @@ NamedSection section_named(const std::string& name) {
   std::smatch part;
   const bool has_digits = std::regex_match(form, part, kDigits);
   if (!has_digits && !std::regex_match(form, part, kSeries)) refuse(name);
+  // A section without thickness encloses nothing.
   if (part[has_digits ? 4 : 5] == "00") refuse(name);
   return has_digits ? by_digits(name, part) : of_series(part);
 }

@@ -137,9 +137,11 @@ std::vector<Row> rows_around(int family, bool is_6a, double thickness) {
   std::vector<Row> rows;
   std::ranges::copy_if(kRows, std::back_inserter(rows),
                        [&](const Row& row) { return row.family == family && row.is_6a == is_6a; });
+  // No polynomial is continued beyond its values: there the last section is scaled.
   if (thickness <= rows.front().thickness) return {rows.front()};
   if (thickness >= rows.back().thickness) return {rows.back()};
   const auto above = std::ranges::upper_bound(rows, thickness, {}, &Row::thickness) - rows.begin();
+  // At an end of the table all four are on its inner side.
   const auto first = std::clamp<std::ptrdiff_t>(above - 2, 0, std::ssize(rows) - 4);
   return {rows.begin() + first, rows.begin() + first + 4};
 }
@@ -153,7 +155,9 @@ std::array<double, kTableStations> series_ratios(int family, bool is_6a, double 
   const std::vector<double> factors = lagrange_factors(places, 100.0 * thickness);
   std::array<double, kTableStations> ratios{};
   for (std::size_t k = 0; k < rows.size(); ++k) {
+    // Ordinates in parts of their own thickness vary little from one section to the next.
     const double factor = factors[k] * thickness / (0.01 * rows[k].thickness);
+    // The limit of y / √x at a nose of radius r: there y² = 2 r x.
     ratios[0] += factor * std::sqrt(2.0 * 0.01 * rows[k].radius);
     for (int i = 1; i < kTableStations; ++i) {
       ratios[i] += factor * 0.01 * rows[k].y[i] / std::sqrt(kTableX[i]);

@@ -33,11 +33,13 @@ std::array<double, kTableStations> spline_slopes(const std::array<double, kTable
   for (int i = 0; i < n; ++i) {
     const double before = i > 0 ? 1.0 / (knot(i) - knot(i - 1)) : 0.0;
     const double after = i + 1 < n ? 1.0 / (knot(i + 1) - knot(i)) : 0.0;
+    // Second derivatives are equal on both sides of a station, and zero at the first and the last.
     diagonal[i] = 2.0 * (before + after);
     upper[i] = after;
     if (i > 0) right[i] += 3.0 * before * before * (values[i] - values[i - 1]);
     if (i + 1 < n) right[i] += 3.0 * after * after * (values[i + 1] - values[i]);
   }
+  // Thomas' algorithm on a symmetric matrix: below[i] is upper[i - 1].
   for (int i = 1; i < n; ++i) {
     const double factor = upper[i - 1] / diagonal[i - 1];
     diagonal[i] -= factor * upper[i - 1];
@@ -70,8 +72,10 @@ SectionThickness SectionThickness::modified(double thickness, int nose, int tent
   const double d3 = (rest * d1 - 2.0 * (highest - kTail)) / (rest * rest * rest);
   const double d2 = (highest - kTail - rest * d1) / (rest * rest) - rest * d3;
   // Before: a0 √x + a1 x + a2 x² + a3 x³, as high, level and curved there.
+  // The radius goes with a0², and an index of 9 stands for three times that of 6.
   const double a0 = kNose * (nose == kBluntNose ? std::sqrt(3.0) : nose / double{kUsualNose});
   const double root = std::sqrt(place);
+  // Rows: height, slope and second derivative at the largest thickness.
   const Eigen::Matrix3d powers{{place, place * place, place * place * place},
                                {1.0, 2.0 * place, 3.0 * place * place},
                                {0.0, 2.0, 6.0 * place}};
@@ -103,6 +107,7 @@ std::array<double, 2> SectionThickness::at(double s) const {
   std::size_t i = 0;
   while (i + 1 < pieces_.size() && pieces_[i].end < s) ++i;
   double y = 0.0, slope = 0.0;
+  // By nested multiplication, the derivative along with the value.
   for (std::size_t k = pieces_[i].factors.size(); k-- > 0;) {
     slope = slope * s + y;
     y = y * s + pieces_[i].factors[k];

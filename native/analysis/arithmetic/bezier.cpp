@@ -16,12 +16,15 @@ std::array<BezierCubic, 2> halves(const BezierCubic& c) {
 
 int count_sign_changes(const BezierCubic& c) {
   int changes = 0;
+  // By the variation-diminishing property a cubic has no more roots than its coefficients have
+  // changes of sign, and as many but for an even number.
   for (int i = 0; i < 3; ++i) changes += (c[i] >= 0.0) != (c[i + 1] >= 0.0);
   return changes;
 }
 
 void collect_roots(const BezierCubic& c, double begin, double size, Roots& roots) {
   const int changes = count_sign_changes(c);
+  // A cubic has three roots at most; rounded halves may show more changes of sign.
   if (changes == 0 || roots.full()) return;
   if (changes == 1) {
     roots.push_back(begin + size * monotonic_root(c));
@@ -37,6 +40,8 @@ void collect_roots(const BezierCubic& c, double begin, double size, Roots& roots
   collect_roots(parts[1], begin + 0.5 * size, 0.5 * size, roots);
 }
 
+// Uniform knots: ends are (1, 4, 1) / 6, inner points at the thirds of the control polygon's middle
+// leg.
 BezierCubic bezier_from_bspline(double p0, double p1, double p2, double p3) {
   return {(p0 + 4.0 * p1 + p2) / 6.0, (2.0 * p1 + p2) / 3.0, (p1 + 2.0 * p2) / 3.0,
           (p1 + 4.0 * p2 + p3) / 6.0};
@@ -62,6 +67,7 @@ double monotonic_root(const double* c) {
     ((value >= 0.0) == (c[0] >= 0.0) ? low : high) = t;
     const double slope = p1 + t * (2.0 * p2 + t * 3.0 * p3);
     double next = t - value / slope;
+    // Also where the slope is zero: what is not a number is in no bracket.
     if (!(next >= low && next <= high)) next = 0.5 * (low + high);
     const double change = std::abs(next - t);
     t = next;
@@ -77,6 +83,7 @@ Roots sign_changes(const BezierCubic& cubic) {
 }
 
 BezierBicubic BezierBicubic::from_bspline(const std::array<double, 16>& p) {
+  // The tensor product: along u in each row, then along v in each column.
   std::array<double, 16> rows, result;
   for (int j = 0; j < 4; ++j) {
     const BezierCubic row = bezier_from_bspline(p[4 * j], p[4 * j + 1], p[4 * j + 2], p[4 * j + 3]);

@@ -5,6 +5,7 @@
 
 namespace hull::analysis {
 
+// As BezierBicubic::from_bspline(), in wide code: the second loop takes all four columns at once.
 HULL_WIDE BezierNet bezier_net(const surface::BicubicPoints& points, const Vector3d& direction,
                                double offset) {
   BezierNet rows, net;

@@ -10,6 +10,8 @@ namespace hull::analysis {
 EstimatingRule::EstimatingRule(int n) : rule_(gauss_rule(n)) {
   for (int i = 0; i < n; ++i) {
     const double x = 2.0 * rule_.nodes[i] - 1.0;
+    // A coefficient of the series is (2 d + 1) times the integral with the polynomial of degree d,
+    // here n - 2 and n - 1.
     high_[i] = rule_.weights[i] * (2 * n - 3) * std::legendre(n - 2, x);
     highest_[i] = rule_.weights[i] * (2 * n - 1) * std::legendre(n - 1, x);
   }
@@ -17,6 +19,7 @@ EstimatingRule::EstimatingRule(int n) : rule_(gauss_rule(n)) {
 
 const EstimatingRule& EstimatingRule::of(int n) {
   assert(n >= 2 && n <= kMostNodes);
+  // Made once: nodes are had by iteration.
   static const std::vector<EstimatingRule> rules = [] {
     std::vector<EstimatingRule> all;
     for (int k = 2; k <= kMostNodes; ++k) all.push_back(EstimatingRule(k));

@@ -19,11 +19,14 @@ GaussRule gauss_rule(int n) {
         previous = p;
         p = ((2.0 * k - 1.0) * x * previous - (k - 1.0) * before) / k;
       }
+      // The derivative by P_n and P_(n-1).
       slope = n * (x * p - previous) / (x * x - 1.0);
       const double change = p / slope;
       x -= change;
       if (std::abs(change) < 1e-16) break;
     }
+    // From [-1, 1], where Chebyshev's guesses fall, to [0, 1], where weights 2 / ((1 - x^2) P_n'^2)
+    // are halved.
     rule.nodes[n - 1 - i] = 0.5 * (1.0 + x);
     rule.weights[n - 1 - i] = 1.0 / ((1.0 - x * x) * slope * slope);
   }

@@ -25,10 +25,12 @@ std::vector<Vector3d> Tridiagonal::solve(std::vector<Vector3d> right) const {
 // The corners of the cyclic matrix are a product of two vectors (Sherman and Morrison 1950).
 std::vector<Vector3d> Tridiagonal::solve_cyclic(std::vector<Vector3d> right) const {
   const std::size_t n = diagonal.size();
+  // Any shift but zero does; with this one the diagonal dominates no less.
   const double corner = below[0], other = above[n - 1], shift = -diagonal[0];
   Tridiagonal inner = *this;
   inner.diagonal[0] -= shift;
   inner.diagonal[n - 1] -= corner * other / shift;
+  // Numbers in the x of points, so that one solver serves both.
   std::vector<Vector3d> u(n, Vector3d::Zero());
   u[0].x() = shift;
   u[n - 1].x() = other;

@@ -22,6 +22,7 @@ struct Rectangle {
   double u, v, width_u, width_v;
 };
 
+// Zero is above: what lies in the water's surface is not immersed, and has no waterline.
 bool has_part(double lowest_height, double highest_height, Part part) {
   return lowest_height < 0.0 && (part == Part::kImmersed || highest_height >= 0.0);
 }
@@ -41,10 +42,12 @@ double waterline_bound(const BezierNet& g, const BezierNet& h, bool below_too = 
   }
   product = g_u * h_u + g_v * h_v;
   square = h_u * h_u + h_v * h_v;
+  // Least squares: what the gradient of g has along that of h.
   const double lambda = square > 0.0 ? product / square : 0.0;
   if (below_too && lambda <= 0.0) return highest(g);
   double top = g[0] - lambda * h[0];
   for (int k = 1; k < 16; ++k) top = std::max(top, g[k] - lambda * h[k]);
+  // Either bound holds; far from the water's surface that of g alone may be the lower one.
   return std::min(top, highest(g));
 }
 
@@ -56,6 +59,8 @@ void for_each_critical(const BezierCubic& c, const Visit& visit) {
   const double root = q * q - p * a;
   if (root < 0.0) return;
   const double s = -(q + std::copysign(std::sqrt(root), q));
+  // Both roots without a difference of nearly equal numbers, and the one where the cubic term is
+  // zero.
   for (double t : {p != 0.0 ? s / p : -1.0, s != 0.0 ? a / s : -1.0}) {
     if (t > 0.0 && t < 1.0) visit(t);
   }
@@ -79,8 +84,12 @@ class PieceSearch {
   }
 
   void search(Part part) {
+    // Here and below ties are looked at: of places equally far the one nearest the centre plane
+    // counts.
     if (highest(whole_.g) < best_.value - tolerance_) return;
     if (!has_part(lowest(whole_.h), highest(whole_.h), part)) return;
+    // The waterline bounds the immersed part: its extremes are there, on sides, or within, where
+    // both slopes vanish.
     if (highest(whole_.h) >= 0.0) search_waterline();
     if (part == Part::kImmersed) {
       for (const auto& side : kSides) search_side(side);
@@ -97,6 +106,7 @@ class PieceSearch {
     const double value = direction_.dot(point);
     if (value < best_.value - tolerance_) return;
     const bool is_tie = best_.found && value <= best_.value + tolerance_;
+    // A tie may be lower by the tolerance: the value kept must not creep down with such.
     best_.value = std::max(best_.value, value);
     if (is_tie && std::abs(point.y()) >= std::abs(best_.point.y())) return;
     best_.found = true;
@@ -113,6 +123,7 @@ class PieceSearch {
       if (cut.side != CutSquare::Side::kCut) return;
       const BezierNet g = restricted(whole_.g, cut.u, cut.v, cut.size);
       const BezierNet h = restricted(whole_.h, cut.u, cut.v, cut.size);
+      // The square's own bound is far closer, and spares the search along its waterline.
       if (waterline_bound(g, h) < best_.value - tolerance_) return;
       ArcSquare square{h, g, g, 1.0};
       if (cut.swapped) square.h = transposed(h), square.a = square.b = transposed(g);
@@ -120,6 +131,7 @@ class PieceSearch {
         const double v = arc_point(square, u).v;
         take(cut.u + cut.size * (cut.swapped ? v : u), cut.v + cut.size * (cut.swapped ? u : v));
       };
+      // Then an end of the stretch is the farthest.
       const bool monotonic = is_monotonic(square);
       for_each_stretch(square, [&](double begin, double end) {
         take_at(begin);
@@ -179,8 +191,11 @@ class PieceSearch {
 
   // Immersed places where g is stationary.
   void search_inside(const Rectangle& r, int depth) {
+    // Here a tie is of no use: flat faces would be halved to the bottom.
     if (lowest(r.h) >= 0.0 || highest(r.g) <= best_.value + tolerance_) return;
     if (waterline_bound(r.g, r.h, true) <= best_.value + tolerance_) return;
+    // An extreme where one slope does not vanish is on a side or on the waterline, and was looked
+    // for.
     if (excludes_zero(slope_range_u(r.g)) || excludes_zero(slope_range_v(r.g))) return;
     if (r.h[0] < 0.0) take(r.u, r.v);
     if (depth == kDeepest) return;

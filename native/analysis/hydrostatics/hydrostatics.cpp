@@ -41,6 +41,8 @@ class BothSides {
   FarthestPoint farthest(const Vector3d& direction, Part part) const {
     const FarthestPoint port = port_.farthest(direction, part);
     if (!mirrored_ || (upright_ && direction.y() == 0.0)) return port;
+    // What is farthest to starboard is the image of what is farthest to port along the direction's
+    // image.
     const ExtentSearch& other = upright_ ? port_ : *starboard_;
     FarthestPoint starboard = other.farthest(direction.cwiseProduct(kMirror), part);
     if (!(starboard.value > port.value)) return port;
@@ -104,6 +106,7 @@ void take_waterplane(const Immersion& immersion, const FloatingPosition& positio
   const Vector3d ahead = forward_direction(position.trim, position.heel);
   const Vector3d port = -starboard_direction(position.trim, position.heel);
   const Eigen::Matrix3d& second = immersion.waterplane_second;
+  // Second moments about F: the part along a horizontal axis is that about the axis square to it.
   p.waterplane_inertia_transverse = port.dot(second * port);
   p.waterplane_inertia_longitudinal = ahead.dot(second * ahead);
   p.waterplane_inertia_product = ahead.dot(second * port);
@@ -130,6 +133,7 @@ void take_extents(const StationCutter& cutter, const Plane& water, Hydrostatics&
   const Vector3d starboard = starboard_direction(p.position.trim, p.position.heel);
   const FarthestPoint lowest = sides.farthest(-water.normal, Part::kImmersed);
   if (!lowest.found) return;
+  // Its depth below the surface, as the value is along the downward normal.
   p.immersed_draft = lowest.value + water.offset;
   p.immersed_length = sides.extent(ahead, Part::kImmersed);
   p.immersed_beam = sides.extent(starboard, Part::kImmersed);
@@ -145,6 +149,7 @@ void take_extents(const StationCutter& cutter, const Plane& water, Hydrostatics&
   p.half_angle_of_entrance = entrance_angle(cutter.body().surface(), bow, water.normal, ahead);
   const double setback = kChordAbaft * p.waterline_length;
   const SectionArea abaft = immersed_station(cutter, p.waterline_forward - setback, water);
+  // Half the breadth, which is that of both sides.
   p.entrance_chord_angle = std::atan2(0.5 * abaft.breadth, setback);
 }
 
@@ -161,6 +166,7 @@ void take_profile(const StationCutter& cutter, const Plane& water, Hydrostatics&
 // Extents, stations and profile. None of them reads what another one writes.
 void take_geometry(const StationCutter& cutter, const Plane& water, double length,
                    Hydrostatics& p) {
+  // The one station at midship goes with the profile.
   const std::array<std::function<void()>, 3> parts{
       [&] { p.largest_section = largest_section(cutter, water); },
       [&] { take_extents(cutter, water, p); },
@@ -194,6 +200,7 @@ void check_hydrostatics(const FloatingPosition& position, const ProjectDimension
                                 std::to_string(position.trim) + " rad.");
   }
   for (double length : {project.length_pp, project.beam, project.draft}) {
+    // Zero is "not given".
     if (!(length >= 0.0) || !std::isfinite(length)) {
       throw std::invalid_argument("Length, beam and design draft must be positive, not " +
                                   std::to_string(length) + " m; leave out what is not known.");
@@ -214,6 +221,7 @@ Hydrostatics hydrostatics(const HullBody& body, const FloatingPosition& position
   const Plane water = water_plane(position);
   const Immersion immersion = body.immersion(water);
   take_buoyancy(immersion, water_density, p);
+  // Nothing is under water: what is undefined stays zero.
   if (immersion.wetted_surface == 0.0) return p;
   take_waterplane(immersion, position, water_density, p);
 

@@ -35,6 +35,7 @@ Bodies bodies_of(const surface::LimitSurface& surface) {
     const int body = static_cast<int>(bodies.first_cell.size());
     bodies.first_cell.push_back(first);
     bodies.of_cell[first] = body;
+    // A list of its own in place of recursion, which would be as deep as a body has cells.
     std::vector<int> waiting{first};
     while (!waiting.empty()) {
       const int cell = waiting.back();

@@ -49,8 +49,10 @@ BodyRules body_rules(const surface::LimitSurface& surface, bool mirrored, double
   BodyRules rules;
   rules.centre =
       kCentreGrid * size * (extent.middle / (kCentreGrid * size)).array().round().matrix();
+  // In the centre plane, so that the mirror image of moments is about the same point.
   if (mirrored) rules.centre.y() = 0.0;
   if (tolerance < kCoarse) {
+    // The rules stay exact; where they are not, at corners and cuts, they end earlier.
     const double looser = std::max(1.0, tolerance / kFinest);
     rules.span = SpanRule::kExact;
     rules.span_area = kSpanArea * size * size;
@@ -82,6 +84,7 @@ BodyRules without_areas(BodyRules rules) {
 }
 
 bool operator==(const BodyRules& a, const BodyRules& b) {
+  // What is not compared here would change without parts being computed anew.
   return a.centre == b.centre && a.span == b.span && a.span_area == b.span_area &&
          a.corner.first == b.corner.first && a.corner.area == b.corner.area &&
          a.corner.outer == b.corner.outer && a.corner.inner == b.corner.inner &&

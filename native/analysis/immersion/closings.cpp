@@ -23,6 +23,7 @@ struct BezierLoop {
 std::vector<BezierLoop> border_loops(const std::vector<BorderEdge>& border) {
   std::vector<BezierLoop> loops;
   for (const BorderEdge& edge : border) {
+    // Loops come one after the other, numbered from 0, and their edges in order.
     if (edge.loop == static_cast<int>(loops.size())) loops.emplace_back();
     loops.back().spans.push_back(edge.points);
     loops.back().cells.push_back(edge.half_edge / 4);
@@ -60,6 +61,8 @@ Box extent_of(const Spans& spans) {
   return extent;
 }
 
+// The control points of a uniform span, the inverse of (p0 + 4 p1 + p2) / 6, (2 p1 + p2) / 3 and so
+// on, so that closings are spans like all others.
 Cubic bspline_from_bezier(const Cubic& b) {
   return {6.0 * b[0] - 7.0 * b[1] + 2.0 * b[2], 2.0 * b[1] - b[2], 2.0 * b[2] - b[1],
           2.0 * b[1] - 7.0 * b[2] + 6.0 * b[3]};
@@ -109,17 +112,22 @@ std::vector<ClosingPatch> closing_patches(const surface::LimitSurface& surface,
   for (const BezierLoop& loop : border_loops(edges)) {
     const Box extent = extent_of(loop.spans);
     const double diagonal = (extent.high - extent.low).norm();
+    // A half that ends short of the centre plane, as that of a catamaran, is closed by itself.
     const bool at_centre = mirrored && extent.low.y() <= kOnCentrePlane * size;
     const bool across =
         at_centre || std::abs(area_on_centre_plane(loop)) <= kNoArea * diagonal * diagonal;
     const Vector3d apex = border_centroid(loop.spans);
+    // A border that is symmetric about a plane has its centroid there, where its two sides meet.
     const double y = at_centre ? 0.0 : apex.y();
     for (std::size_t i = 0; i < loop.spans.size(); ++i) {
       const Cubic& border = loop.spans[i];
       const Box own = extent_of(std::array<Cubic, 1>{border});
+      // There the other half goes on: no water comes in.
       const bool in_centre_plane =
           at_centre && std::max(-own.low.y(), own.high.y()) <= kOnCentrePlane * size;
       const Cubic target = across ? athwartships(border, y) : Cubic{apex, apex, apex, apex};
+      // Lines athwartships from a curve at one x stay at that x; a fan is plane only with the whole
+      // loop.
       const bool transverse = is_transverse(across ? own : extent, size);
       result.push_back(
           {loop.cells[i], ruled(border, target), border, !transverse && !in_centre_plane});
@@ -136,6 +144,8 @@ DownfloodingPoint lowest_point(const std::array<Vector3d, 4>& c, const Vector3d&
   const double d = h[3] - 3.0 * h[2] + 3.0 * h[1] - h[0];
   const double root = std::sqrt(std::max(0.0, b * b - 4.0 * a * d));
   DownfloodingPoint lowest{h[0], c[0]};
+  // The last is for d = 0. Quotients by zero are infinite or no numbers, and in no interval; places
+  // that are no minima do no harm.
   for (double t : {1.0, (-b + root) / (2.0 * d), (-b - root) / (2.0 * d), -a / b}) {
     if (!(t > 0.0 && t <= 1.0)) continue;
     const double s = 1.0 - t;

@@ -31,6 +31,7 @@ Eigen::Matrix<double, 16, 16> span_area_form() {
   }
   Eigen::Matrix<double, 16, 16> form;
   for (int a = 0; a < 16; ++a) {
+    // Index 4 j + i: i along u, in which a is differentiated, and j along v, in which b is.
     for (int b = 0; b < 16; ++b) form(a, b) = slopes(a % 4, b % 4) * slopes(b / 4, a / 4);
   }
   return 0.5 * (form - form.transpose());
@@ -44,6 +45,7 @@ Moduli largest_moduli(const surface::CornerBasis& basis) {
   for (const surface::DominantBlock& block : basis.spectrum().blocks) {
     if (block.begin > 0) moduli.insert(moduli.end(), block.size, std::abs(block.eigenvalue));
   }
+  // What is not dominant falls like this at most; twice, as two such modes make a normal, too.
   moduli.insert(moduli.end(), 2, basis.spectrum().rest);
   return moduli;
 }
@@ -172,8 +174,11 @@ ShellMoments corner_moments(surface::CornerRing& ring, const surface::CornerBasi
                             const surface::CornerPoints& points, const CornerSeries& series,
                             const Vector3d& origin, const CornerRules& rules) {
   const Vector3d& limit = ring.limit();
+  // Exact. Its part along the corner's normal is the part of the area that falls slowest: only the
+  // excess over that is extrapolated.
   const Vector3d normal = series.area_form(ring.points());
   const bool has_area = std::isfinite(rules.area);
+  // Zero where there is no tangent plane: then the excess is the whole area.
   const Vector3d direction =
       has_area ? basis.corner_normal(points).normalized() : Vector3d(Vector3d::Zero());
   Extrapolation<double> excess(series.excess_ratios);
@@ -187,6 +192,8 @@ ShellMoments corner_moments(surface::CornerRing& ring, const surface::CornerBasi
     if (k > 0) ring.advance();
     for (int s = 0; s < basis.segment_count(); ++s) {
       const surface::BicubicPoints span = ring.segment_points(s);
+      // The outermost ring's area is refined until its error is small; the others, which have a
+      // sixteenth of the excess, take it by their rule alone.
       sum += k == 0 || !has_area
                  ? span_moments({span, limit}, k == 0 ? rules.outer : inner, rules.area)
                  : span_moments({span, limit}, inner);

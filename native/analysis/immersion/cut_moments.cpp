@@ -37,6 +37,7 @@ class CutIntegrator {
       : points_(points), origin_(origin), water_(water), rules_(rules) {}
 
   void add(const CutSquare& square) {
+    // Where the water leaves the square its limits have a corner: the rule is for what is smooth.
     const Breaks breaks = crossing_breaks(square.height);
     for (std::size_t k = 0; k + 1 < breaks.size(); ++k) {
       add_interval(square, breaks[k], breaks[k + 1] - breaks[k], 0);
@@ -51,6 +52,7 @@ class CutIntegrator {
   void add_interval(const CutSquare& square, double begin, double width, int depth) {
     const EstimatingRule& outer = EstimatingRule::of(rules_.along);
     EstimatingRule::Values volumes{}, areas{};
+    // Ten columns of six nodes at most, which its capacity holds.
     ShellNodes nodes;
     for (int i = 0; i < outer.count(); ++i) {
       const double u = begin + width * outer.node(i);
@@ -58,6 +60,7 @@ class CutIntegrator {
       const bool low_wet = column[0] < 0.0, high_wet = column[3] < 0.0;
       if (!low_wet && !high_wet) continue;
       double from = 0.0, to = 1.0;
+      // The height is monotonic along a column: two wet ends mean a wet column.
       if (low_wet != high_wet) (low_wet ? to : from) = crossing(column);
       const double weight = outer.weight(i) * width;
       const int first = nodes.count;
@@ -65,6 +68,8 @@ class CutIntegrator {
       for (int k = first; k < nodes.count; ++k) {
         const Vector3d p(nodes.x[k], nodes.y[k], nodes.z[k]);
         const Vector3d n(nodes.nx[k], nodes.ny[k], nodes.nz[k]);
+        // By u, without the node's weight: what the estimate asks for. The volume is the flux of
+        // the height along the normal, which has none through the water's surface.
         volumes[i] += water_.height(p + origin_) * water_.normal.dot(n) / weight;
         areas[i] += n.norm() / weight;
       }
@@ -84,11 +89,13 @@ class CutIntegrator {
   void add_column(const CutSquare& square, double u, double from, double to, double weight,
                   ShellNodes& nodes) const {
     const GaussRule& inner = gauss(rules_.span);  // exact for polynomials up to its degree
+    // Columns run along v, or along u where the square is swapped.
     const double begin = square.swapped ? square.u : square.v;
     const Across across(points_, (square.swapped ? square.v : square.u) + square.size * u,
                         square.swapped);
     // The normal is d/du x d/dv, whichever of them is across.
     const double sign = square.swapped ? -1.0 : 1.0;
+    // Derivatives are by the span's parameters: a size for each of the square's.
     const double scale = sign * weight * (to - from) * square.size * square.size;
     for (std::size_t j = 0; j < inner.nodes.size(); ++j) {
       const double t = begin + square.size * (from + (to - from) * inner.nodes[j]);

@@ -6,6 +6,8 @@
 
 namespace hull::analysis {
 
+// The vertical as the ship sees it: turned by the trim in her centre plane, then by the heel about
+// her own x axis.
 Vector3d up_direction(double trim, double heel) {
   return {std::sin(trim), std::sin(heel) * std::cos(trim), std::cos(heel) * std::cos(trim)};
 }
@@ -21,6 +23,7 @@ Vector3d starboard_direction(double trim, double heel) {
 
 Plane water_plane(const FloatingPosition& position) {
   const Vector3d up = up_direction(position.trim, position.heel);
+  // Through the point (draft_at, 0, draft).
   return {up, up.x() * position.draft_at + up.z() * position.draft};
 }
 

@@ -87,6 +87,7 @@ void HullBody::update() {
   boxes_.update(surface());
   close();
   stamp_.renew();
+  // Of the old points; null, so that where take() throws the hull alone is left.
   joined_ = nullptr;
   profile_ = nullptr;
   if (appendages_) take(*appendages_);
@@ -124,6 +125,7 @@ std::string HullBody::inversion() const {
   struct Sum {
     double volume = 0.0, area = 0.0;  // volume from ∫ z n_z, the same for both halves
     void add(const ShellMoments& moments) {
+      // About the rules' centre: the flux through a closed surface is the same from any origin.
       volume += moments.first(2, 2);
       area += moments.area;
     }
@@ -161,10 +163,12 @@ ShellMoments HullBody::wet_corner(int corner, Planes planes) const {
         lowest = std::min(lowest, plane.height(p));
         highest = std::max(highest, plane.height(p));
       }
+      // The hull of a ring's points holds all that is left, down to the corner.
       if (lowest > -rules.cut.zero) return sum;
       is_below = is_below && highest < -rules.cut.zero;
     }
     if (is_below) {
+      // From here inwards nothing is cut: the series sums the rings that are left.
       sum += corner_moments(ring, basis, kept, parts_.series(corner), rules.centre, rules.corner);
       return sum;
     }
@@ -238,6 +242,7 @@ DownfloodingPoint HullBody::downflooding_point(const Vector3d& up) const {
     if (mirror.y() < 0.0 && !mirrored_) break;
     for (const ClosingPatch& patch : closings_) {
       if (!patch.open) continue;
+      // Along `up` the image of a curve is what the curve is along the image of `up`.
       const DownfloodingPoint point = lowest_point(patch.border, up.cwiseProduct(mirror));
       if (point.height < lowest.height) {
         lowest = {point.height, point.point.cwiseProduct(mirror)};
@@ -290,6 +295,7 @@ Immersion HullBody::immersion(const Plane& water) const {
   if (mirrored_) {
     const Plane image = mirror_image(water);
     // What the water covers of the other side is the image of what its own image covers of this.
+    // Upright that image is the water itself.
     const Wet other = water.normal.y() == 0.0 ? wet : wet_part({&image, 1});
     wet.shell += analysis::mirrored(other.shell);
     wet.caps += analysis::mirrored(other.caps);
@@ -304,6 +310,7 @@ Immersion HullBody::immersion(const Plane& water) const {
   const Vector3d origin = centre + level * water.normal;
   Immersion result = immersion_of(moved(all, centre - origin), {water.normal, 0.0});
   result.water = water;
+  // Not measured: no number rather than zero.
   if (water_) result.wetted_surface = std::numeric_limits<double>::quiet_NaN();
   if (result.volume > 0.0) result.centre_of_buoyancy += origin;
   if (result.waterplane_area > 0.0) result.centre_of_flotation += origin;

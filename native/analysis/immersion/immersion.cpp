@@ -6,6 +6,9 @@ namespace hull::analysis {
 Immersion immersion_of(const ShellMoments& wet, const Plane& water) {
   const Vector3d& e = water.normal;
   const double d = water.offset;
+  // Divergence theorem: a field that vanishes in the water's surface has its whole flux through the
+  // wet shell. With div(h e) = 1 that of h e is the volume; those of p h e and h² e are the
+  // integrals of p + h e and of 2 h.
   const double area = wet.normal.dot(e);                          // ∫ e·n
   const Vector3d first = wet.first * e;                           // ∫ p e·n
   const Eigen::Matrix3d second = wet.second_along(e);             // ∫ p pᵀ e·n
@@ -21,6 +24,8 @@ Immersion immersion_of(const ShellMoments& wet, const Plane& water) {
   }
   result.wetted_surface = wet.area;
   result.waterplane_area = -area;
+  // A field f(q) e does not change along e, and has no flux through a closed surface: the
+  // waterplane's integral of f is that of the wet shell, negative.
   if (area < 0.0) {
     // Of the waterplane's points q = p - h e.
     const Vector3d moment = e * height - first;

@@ -75,6 +75,7 @@ HULL_WIDE void take_long_rows(const SpanSquare& square, const LineRule& u, const
 
 void take_nodes(const SpanSquare& square, const LineRule& u, const LineRule& v, ShellNodes& nodes) {
   (u.count <= 4 ? take_short_rows : take_long_rows)(square, u, v, nodes);
+  // Up to a whole four: what is beyond the last node has no weight.
   nodes.count = (v.count * row_stride(u.count) + 3) / 4 * 4;
 }
 
@@ -127,6 +128,7 @@ HULL_WIDE double area_elements(const ShellNodes& nodes, Elements& elements) {
 }
 
 void take_square(const SpanSquare& square, SpanRule rule, ShellNodes& nodes) {
+  // Of whole spans, by far the most, the basis functions are kept.
   if (square.size == 1.0) {
     take_nodes(square, LineRule::whole(rule), LineRule::whole(rule), nodes);
   } else {
@@ -157,6 +159,7 @@ double area_error(const Elements& elements, SpanRule rule, double area) {
   static const PerRule<TopPolynomials> rules([](SpanRule which) { return TopPolynomials(which); });
   const TopPolynomials& top = rules[rule];
   const int n = top.count, stride = row_stride(n);
+  // Along rows and along columns, as a span may be rough in one direction alone.
   double high = 0.0, highest = 0.0;
   std::array<double, LineRule::kMostNodes> column_high{}, column_highest{};
   for (int j = 0; j < n; ++j) {
@@ -176,6 +179,7 @@ double area_error(const Elements& elements, SpanRule rule, double area) {
     highest += std::abs(column_highest[i]);
   }
   if (!(area > 0.0)) return 0.0;
+  // Shares above one tell nothing: the error is the whole area then.
   const double a = std::min(1.0, high / area), b = std::min(1.0, highest / area);
   const double power_a = n == 4 ? a * a * a * a : a * a * a;            // of 4; 10/3, 3
   const double power_b = b * b * std::sqrt(n == 6 ? std::sqrt(b) : b);  // of 8/3, 10/4; 12/5
@@ -242,6 +246,7 @@ void ShellNodes::add(const Vector3d& p, const Vector3d& n) {
 
 void add_nodes(ShellNodes& nodes, ShellMoments& sum) {
   const int count = nodes.count;
+  // Sums go by fours: nodes without weight fill up the last.
   while (nodes.count % 4 != 0) nodes.add(Vector3d::Zero(), Vector3d::Zero());
   Elements elements;
   sum.area += area_elements(nodes, elements);
@@ -260,6 +265,7 @@ ShellMoments span_moments(const SpanSquare& square, SpanRule rule, double area_t
   Elements elements;
   ShellMoments moments = moments_and_elements(square, rule, elements);
   Estimate area{moments.area, area_error(elements, rule, moments.area)};
+  // Six nodes each way before four quarters with six each.
   if (area.error > area_tolerance && rule != SpanRule::kExact) area = area_of(square);
   if (area.error > area_tolerance) area = refined_area(square, area_tolerance, 1);
   moments.area = area.value;

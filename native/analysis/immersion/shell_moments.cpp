@@ -24,6 +24,7 @@ ShellMoments& ShellMoments::operator+=(const ShellMoments& other) {
 
 ShellMoments& ShellMoments::operator-=(const ShellMoments& other) {
   area -= other.area;
+  // Errors add up, also where values are taken off.
   area_error += other.area_error;
   volume_error += other.volume_error;
   normal -= other.normal;
@@ -51,6 +52,7 @@ Eigen::Matrix3d ShellMoments::second_along(const Vector3d& e) const {
 
 ShellMoments moved(const ShellMoments& moments, const Vector3d& shift) {
   ShellMoments result = moments;
+  // With t the shift, (p + t)(p + t)ᵀ = p pᵀ + t pᵀ + p tᵀ + t tᵀ, of each product.
   result.first += shift * moments.normal.transpose();
   for (int k = 0; k < 6; ++k) {
     const auto [i, j] = kFactors[k];
@@ -61,6 +63,7 @@ ShellMoments moved(const ShellMoments& moments, const Vector3d& shift) {
 }
 
 ShellMoments mirrored(const ShellMoments& moments) {
+  // Each y in a product changes its sign, that of the normal too.
   const Vector3d mirror(1.0, -1.0, 1.0);
   ShellMoments result = moments;
   result.normal = mirror.cwiseProduct(moments.normal);

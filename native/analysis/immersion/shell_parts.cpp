@@ -17,6 +17,7 @@ void place(ShellPart& part, const Vector3d* points, std::size_t count, const Vec
 
 WaterSide ShellPart::side(const Plane& water, const BodyRules& rules) const {
   const double height = water.normal.dot(middle) + water.height(rules.centre);
+  // Half of the box's shadow on the normal, and heights that count as none.
   const double reach = water.normal.cwiseAbs().dot(half) + rules.cut.zero;
   if (height >= reach) return WaterSide::kAbove;
   return height < -reach ? WaterSide::kBelow : WaterSide::kAcross;
@@ -28,6 +29,7 @@ ShellParts::ShellParts(const surface::LimitSurface& surface, bool mirrored, doub
       tolerance_(tolerance),
       rules_(body_rules(surface, mirrored, tolerance)) {
   const surface::SurfaceLayout& layout = surface.layout();
+  // Corners of one kind share a basis, and so their series.
   std::map<const surface::CornerBasis*, int> numbers;
   for (int i = 0; i < layout.corner_count(); ++i) {
     const auto [place, is_new] = numbers.emplace(&layout.basis(i), numbers.size());
@@ -45,6 +47,8 @@ ShellParts::ShellParts(const surface::LimitSurface& surface, bool mirrored, doub
 ShellParts::ShellParts(const ShellParts& parts, const surface::LimitSurface& copy,
                        const std::optional<Plane>& water)
     : ShellParts(parts) {
+  // Parts stay as they are: the next update() finds rules without areas, which are others, and
+  // computes all of them.
   surface_ = &copy;
   water_ = water;
 }
@@ -77,6 +81,7 @@ void ShellParts::update_leaf(int leaf) {
   const surface::BicubicPoints& points = surface_->leaf(leaf);
   leaf_points_[leaf] = points;
   place(leaves_[leaf], points.data(), points.size(), rules_.centre);
+  // Of what is above, or cut, nothing is asked for in the one water: zero, not what was there.
   leaves_[leaf].moments = {};
   if (!is_asked_for(leaves_[leaf])) return;
   leaves_[leaf].moments = span_moments({points, rules_.centre}, rules_.span, rules_.span_area);

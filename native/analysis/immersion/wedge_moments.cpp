@@ -35,6 +35,7 @@ void halve_line(Vector3d* p, int step, int half) {
   for (int k = 0; k < 4; ++k) p[k * step] = finer[k + half];
 }
 
+// The quarter as a span of its own, over [0, 1]²: integrals are the same by any parameters.
 BicubicPoints quarter_of(BicubicPoints points, int i, int j) {
   for (int row = 0; row < 4; ++row) halve_line(&points[4 * row], 1, i);
   for (int column = 0; column < 4; ++column) halve_line(&points[column], 4, j);
@@ -87,6 +88,7 @@ ShellMoments below_both(const BicubicPoints& points, const Vector3d& origin, con
   const PointsSide of_first = side_of(points, first, rules.zero),
                    of_second = side_of(points, second, rules.zero);
   if (of_first == PointsSide::kAbove || of_second == PointsSide::kAbove) return {};
+  // Below one plane, the other alone cuts, and exactly.
   if (of_first == PointsSide::kBelow) return wet_moments(points, origin, second, rules);
   if (of_second == PointsSide::kBelow) return wet_moments(points, origin, first, rules);
   if (depth == kDeepestWedge) {

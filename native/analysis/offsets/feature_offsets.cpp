@@ -17,6 +17,7 @@ namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr int kStepsPerEdge = 16;
+// More than a parameter has bits: to the last of them.
 constexpr int kHalvings = 60;
 // Chains go on in one another where they turn by less than about 45 degrees.
 constexpr double kStraightOn = -0.7;
@@ -62,6 +63,7 @@ std::vector<int> group_chains(const Chains& chains) {
       std::size_t first = 0, second = 0;
       for (std::size_t i = 0; i < meeting.size(); ++i) {
         for (std::size_t j = 0; j < i; ++j) {
+          // Both directions lead away from the point: -1 is straight on.
           const double turn = meeting[i].direction.dot(meeting[j].direction);
           const bool same_kind = chains[meeting[i].chain].kind() == chains[meeting[j].chain].kind();
           if (used[i] || used[j] || !same_kind || turn >= straightest) continue;
@@ -86,12 +88,14 @@ std::vector<Vector3d> points_at(const surface::CreaseCurve& chain, double x, dou
   if (std::abs(previous.x() - x) <= same) found.push_back(previous);
   for (int i = 1; i <= steps; ++i) {
     const Vector3d point = chain.evaluate(static_cast<double>(i) / kStepsPerEdge, 0).point;
+    // Half-open, so that a sample at the very station is found once.
     if ((previous.x() < x) != (point.x() < x)) {
       double low = static_cast<double>(i - 1) / kStepsPerEdge;
       double high = static_cast<double>(i) / kStepsPerEdge;
       for (int k = 0; k < kHalvings; ++k) {
         const double middle = 0.5 * (low + high);
         const bool before = chain.evaluate(middle, 0).point.x() < x;
+        // Whichever way the chain runs, the lower end stays on the side of the sample before.
         (before == (previous.x() < x) ? low : high) = middle;
       }
       found.push_back(chain.evaluate(0.5 * (low + high), 0).point);
@@ -117,10 +121,13 @@ bool runs_along_off_centre(const surface::CreaseCurve& chain, double size) {
     low = std::min(low, point.x());
     high = std::max(high, point.x());
   }
+  // Keel, stem and stern are the table's buttock 0; what lies across the ship has no point at a
+  // station, or all of them.
   return most > kAtCentreLine * size && high - low > kSamePosition * size;
 }
 
 void name_in_order(std::vector<Measured>& features) {
+  // Stable: features at one height keep the order of the mesh.
   std::stable_sort(features.begin(), features.end(), [](const Measured& a, const Measured& b) {
     return a.mean_height < b.mean_height;
   });
@@ -158,9 +165,11 @@ std::vector<FeatureOffsets> feature_offsets(const surface::LimitSurface& surface
     double sum = 0.0;
     int count = 0;
     for (const double x : stations) {
+      // A breadth below all that count, and no height until there is one.
       Vector3d best(x, -1.0, kNone);
       for (const int chain : of_group) {
         for (const Vector3d& point : points_at(chains[chain], x, same)) {
+          // Of a whole hull the starboard half is left out, but for rounding at the centre plane.
           if (point.y() >= -same && point.y() > best.y()) best = point;
         }
       }
@@ -170,6 +179,7 @@ std::vector<FeatureOffsets> feature_offsets(const surface::LimitSurface& surface
       if (found) sum += best.z();
       if (found) ++count;
     }
+    // A feature between two stations has no column.
     if (count > 0) features.push_back({std::move(offsets), sum / count});
   }
   name_in_order(features);

@@ -11,6 +11,7 @@ namespace hull::analysis {
 Plane line_plane(const surface::LimitSurface& surface, Axis axis, double position) {
   const int coordinate = static_cast<int>(axis);
   const auto& points = surface.mesh().points();
+  // Where the hull is flat at its end, its control points end there, too.
   double low = points.front()[coordinate], high = low;
   for (const Vector3d& point : points) {
     low = std::min(low, point[coordinate]);

@@ -48,6 +48,7 @@ class Station {
     for_each_crossing(2, z, [&best](const Vector3d& p) {
       if (p.y() > best.y()) best = p;
     });
+    // Nothing at that height, or only to starboard.
     if (best.y() < -same_) return {};
     return {std::max(best.y(), 0.0), is_on_knuckle(best)};
   }
@@ -75,11 +76,15 @@ class Station {
         const std::size_t first = i;
         while (i < above.size() && std::abs(above[i]) <= same_) ++i;
         if (!passes(above, first, i)) {
+          // Touches and flats: each of the points is there, and the caller takes the outermost or
+          // lowest.
           for (std::size_t k = first; k < i; ++k) visit(curve.points[k]);
         }
+        // All legs from the point before the stretch to the point behind it.
         for (std::size_t k = std::max<std::size_t>(first, 1); k <= i && k < above.size(); ++k) {
           if ((above[k - 1] < 0.0) == (above[k] < 0.0)) continue;
           const Vector3d &a = curve.points[k - 1], &b = curve.points[k];
+          // On the chord, which is as near to the curve as the section's tolerance.
           visit(Vector3d(a + above[k - 1] / (above[k - 1] - above[k]) * (b - a)));
         }
       }
@@ -128,6 +133,7 @@ OffsetTable offset_table(const surface::LimitSurface& surface, const std::vector
   if (!missing.empty()) throw std::invalid_argument(missing);
   OffsetTable table{stations, waterlines, buttocks, {}, {}, {}};
   for (const double x : stations) {
+    // Cut once for all lines of the table.
     const Station station(surface, x);
     for (const double z : waterlines) table.half_breadths.push_back(station.half_breadth(z));
     for (const double y : buttocks) table.heights.push_back(station.height(y));

@@ -18,6 +18,7 @@ struct Entry {
 
 template <std::size_t N>
 double interpolated(const std::array<Entry, N>& table, double at) {
+  // Beyond its ends a table is constant: the code's first and last entries are meant so.
   if (at <= table.front().at) return table.front().value;
   for (std::size_t i = 1; i < N; ++i) {
     const Entry &a = table[i - 1], &b = table[i];
@@ -39,8 +40,10 @@ constexpr std::array<Entry, 11> kX1{{{2.4, 1.0},
                                      {3.2, 0.86},
                                      {3.4, 0.82},
                                      {3.5, 0.80}}};
+// Table 2.3.4-2, by the block coefficient.
 constexpr std::array<Entry, 6> kX2{
     {{0.45, 0.75}, {0.50, 0.82}, {0.55, 0.89}, {0.60, 0.95}, {0.65, 0.97}, {0.70, 1.0}}};
+// Table 2.3.4-3, by 100 Ak / (Lwl B).
 constexpr std::array<Entry, 8> kK{{{0.0, 1.0},
                                    {1.0, 0.98},
                                    {1.5, 0.95},
@@ -49,6 +52,7 @@ constexpr std::array<Entry, 8> kK{{{0.0, 1.0},
                                    {3.0, 0.74},
                                    {3.5, 0.72},
                                    {4.0, 0.70}}};
+// Table 2.3.4-4, by the period in s.
 constexpr std::array<Entry, 8> kS{{{6.0, 0.100},
                                    {7.0, 0.098},
                                    {8.0, 0.093},
@@ -102,6 +106,7 @@ std::string beyond_the_tables(const RollingShip& ship, double period) {
     next = "; ";
   };
   words.precision(3);
+  // KG / d - 1 is OG / d, as the code writes it in 2.3.5.
   const double breadth = ship.beam / ship.draft, height = ship.kg / ship.draft - 1.0;
   if (!(breadth < 3.5)) add("B/d", breadth, "below 3.5");
   if (!(height > -0.3 && height < 0.5)) add("KG/d - 1", height, "between -0.3 and 0.5");
@@ -128,6 +133,7 @@ AngleOfRoll angle_of_roll(const RollingShip& ship) {
                : roll_factor_k(100.0 * ship.keel_area / (ship.waterline_length * ship.beam));
   roll.period = ship.period ? *ship.period : estimated_period(ship);
   roll.s = wave_steepness(roll.period);
+  // OG = KG - d is negative where the centre of gravity is under water.
   roll.r = 0.73 + 0.6 * (ship.kg - ship.draft) / ship.draft;
   if (!(roll.r > 0.0)) {
     refuse("a centre of gravity no lower than 1.2 drafts below the water: r is positive there",

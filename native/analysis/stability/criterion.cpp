@@ -20,6 +20,7 @@ Criterion judged(Criterion c) {
   if (!c.value) return c;
   const bool within =
       c.bound == Criterion::Bound::kAtLeast ? *c.value >= c.limit : *c.value <= c.limit;
+  // A value that was computed of part of the curve does not undo a failure told already.
   const bool met = within && c.outcome != CriterionOutcome::kFail;
   c.outcome = met ? CriterionOutcome::kPass : CriterionOutcome::kFail;
   return c;
@@ -32,6 +33,7 @@ bool all_pass(const std::vector<Criterion>& criteria) {
 
 CriteriaCurve criteria_curve(HeelingPath& path, const HullBody& body, const StabilityEdges& edges) {
   CriteriaCurve curve;
+  // Upright there has to be a lever: that throws, where a larger heel only ends the curve.
   path.at(0.0);
   curve.heels.push_back(0.0);
   // Counted, not added up: 18 steps of rounded size would miss 90°.

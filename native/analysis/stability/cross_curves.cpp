@@ -44,10 +44,12 @@ std::vector<CrossCurve> cross_curves(const HullBody& body, const std::vector<dou
   for (double volume : volumes) {
     surface::tell(options.progress, static_cast<double>(curves.size()),
                   static_cast<double>(volumes.size()));
+    // Upright and level: the centre of buoyancy does not depend on a centre of gravity there.
     HeelingPath upright(closed.body(), volume, whole, Vector3d::Zero(), TrimMode::kFixed, 0.0);
     CrossCurve curve;
     curve.volume = volume;
     curve.lcg = upright.at(0.0).immersion.centre_of_buoyancy.x();
+    // Above the buoyancy, so that with free trim the upright ship stays level.
     const Vector3d gravity(curve.lcg, 0.0, options.assumed_kg);
     HeelingPath path(closed.body(), volume, whole, gravity, options.trim_mode, options.trim);
     for (double heel : heels) {

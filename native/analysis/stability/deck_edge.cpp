@@ -14,6 +14,7 @@ namespace hull::analysis {
 namespace {
 
 bool runs_along_the_ship(const surface::CreaseCurve& curve, double size) {
+  // The control points' box holds the curve.
   const std::vector<Vector3d>& points = curve.spline().points();
   Vector3d low = points.front(), high = low;
   for (const Vector3d& p : points) {
@@ -36,6 +37,8 @@ double least_of_cubic(double h0, double d0, double h1, double d1) {
   const double root = b * b - 3.0 * a * d0;
   if (root < 0.0) return least;
   const double q = std::sqrt(root);
+  // Of the two forms of the root the one without a difference of nearly equal numbers; for b <= 0
+  // and no cubic term it is infinite or no number, and there is no minimum within.
   const double t = b > 0.0 ? -d0 / (b + q) : (q - b) / (3.0 * a);
   if (t > 0.0 && t < 1.0) least = std::min(least, value(t));
   return least;
@@ -44,6 +47,7 @@ double least_of_cubic(double h0, double d0, double h1, double d1) {
 double lowest_of(const surface::CubicSpline& spline, const Vector3d& up) {
   double least = std::numeric_limits<double>::infinity();
   const std::vector<double>& knots = spline.knots();
+  // Between two knots the spline is one cubic, which values and slopes at the ends give exactly.
   for (std::size_t k = 3; k + 4 < knots.size(); ++k) {
     const double width = knots[k + 1] - knots[k];
     const surface::CurveJet from = spline.evaluate(knots[k], 1),
@@ -77,6 +81,7 @@ DeckEdge::DeckEdge(const HullBody& body, const std::vector<int>& vertices)
   const std::set<int> given(vertices.begin(), vertices.end());
   for (surface::CreaseCurve& curve : surface::crease_curves(body.surface())) {
     const std::vector<int>& chain = curve.vertices();
+    // All of its points, or a crease that only ends at the deck's edge would belong to it.
     if (std::all_of(chain.begin(), chain.end(), [&](int v) { return given.count(v) > 0; })) {
       curves_.push_back(std::move(curve));
     }

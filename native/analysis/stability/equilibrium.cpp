@@ -14,6 +14,7 @@
 namespace hull::analysis {
 namespace {
 
+// The descent finds the draft anyhow: the start has only to be near enough for it.
 constexpr double kStartVolume = 1e-2;  // relative error of the start's displacement
 constexpr double kPush = 0.02;         // rad, away from an unstable equilibrium
 constexpr double kNeutral = 1e-9;      // metacentric height over size that counts as none
@@ -46,9 +47,12 @@ Stability stability_of(const Descent& found, const FloatingTask& task) {
       rotation_moment(immersion, rotation_centre(immersion, gravity), task.volume, gravity);
   const auto heights = [&](FreeRotations free) -> Eigen::MatrixXd {
     const NormalDirections directions = normal_directions(found.trim, found.heel, free);
+    // Energy is counted over density and gravity: over the volume its second derivatives are
+    // lengths.
     return rotation_stiffness(directions, immersion, moment) / task.volume;
   };
   const Eigen::MatrixXd both = heights({});
+  // The first direction is that of trim, the second that of heel.
   Stability s{both(1, 1), both(0, 0), 0.0, {}, true};
   const FreeRotations& free = task.free;
   if (!free.trim && !free.heel) return s;
@@ -141,6 +145,7 @@ class Balance {
     for (int i = 0; i < 4 && found.end == Descent::End::kEquilibrium; ++i) {
       const Stability s = stability_of(found, task_);
       if (s.weakest.size() == 0 || s.least >= -neutral()) return;
+      // The first one left is the one that is told of.
       if (!result_.left) {
         result_.left = UnstableEquilibrium{position_of(found), s.transverse, s.longitudinal};
       }
@@ -150,6 +155,7 @@ class Balance {
               .normalized();
       // Turned about the centre of flotation the volume stays to first order.
       const Vector3d about = rotation_centre(found.immersion, task_.centre_of_gravity);
+      // up_direction() read backwards.
       const double heel = task_.free.heel ? std::atan2(up.y(), up.z()) : found.heel;
       const double trim = task_.free.trim ? std::asin(up.x()) : found.trim;
       found = descend_from(trim, heel, up.dot(about));
@@ -214,13 +220,16 @@ void refuse_flooding(const HullBody& body, Equilibrium& e) {
 std::vector<Equilibrium> equilibria(const HullBody& body, const std::vector<LoadCase>& loads,
                                     const EquilibriumOptions& options) {
   check_start(options.start);
+  // A load that is none is refused before any is computed.
   for (const LoadCase& load : loads) load.displaced_volume();
   if (loads.empty()) return {};
   const Weathertight closed(body);
+  // Once for all loads: wholly under water the volume is the same in any direction.
   const double whole = greatest_volume(closed.body(), Vector3d::UnitZ());
   std::vector<Equilibrium> results;
   for (const LoadCase& load : loads) {
     results.push_back(Balance(closed.body(), whole, load, options).find());
+    // The descent was that of the closed body; where she floods the body itself tells.
     refuse_flooding(body, results.back());
   }
   return results;

@@ -115,6 +115,7 @@ class TrustRegionNewton {
     if (std::abs(surplus) > task_.tolerance * task_.volume || area > 0.0) {
       step.sink = bounded_minimum(surplus, area, radius_ * size_);
     }
+    // U by the sinkage s: (V - volume wanted) s + area s² / 2.
     step.gain = -step.sink * (surplus + 0.5 * area * step.sink);
     const int n = static_cast<int>(gradient_.size());
     step.turn = Eigen::VectorXd::Zero(n);
@@ -122,6 +123,7 @@ class TrustRegionNewton {
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> axes(
         rotation_stiffness(directions_, immersion_, moment_));
     const Eigen::VectorXd slopes = axes.eigenvectors().transpose() * gradient_;
+    // In the axes of the stiffness the model falls apart into parabolas, each minimised by itself.
     for (int i = 0; i < n; ++i) {
       const double k = axes.eigenvalues()[i];
       // Rounding does not lead away from a saddle.
@@ -137,6 +139,7 @@ class TrustRegionNewton {
   void try_step() {
     const Step step = next_step();
     const Attitude to = turned(at_, directions_, task_.free, step.turn);
+    // Turned about the centre of flotation, which leaves the volume to first order, then sunk.
     const double offset = to.normal.dot(centre_) + step.sink;
     Immersion there = body_.immersion({to.normal, offset});
     ++evaluations_;
@@ -145,6 +148,8 @@ class TrustRegionNewton {
     const bool blind = step.gain < kEnergyRounding * scale;
     const double saved = energy_ - potential_energy(there, task_.volume, task_.centre_of_gravity);
     if (!blind && saved < kLeastShare * step.gain) {
+      // By the step, which may have been far shorter than the radius: else some more would be
+      // refused alike.
       radius_ = 0.25 * std::min(radius_, std::max(step.turn.norm(), std::abs(step.sink) / size_));
       return;
     }

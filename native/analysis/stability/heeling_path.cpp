@@ -40,6 +40,7 @@ HeelingPath::HeelingPath(const HullBody& body, double volume, double whole_volum
   task_.volume = volume;
   task_.centre_of_gravity = centre_of_gravity;
   task_.free = {mode == TrimMode::kFree, false};
+  // The middle of the body's box.
   for (int i = 0; i < 3; ++i) {
     const HeightRange range = height_range(body, Vector3d::Unit(i));
     middle_[i] = 0.5 * (range.low + range.high);
@@ -134,6 +135,8 @@ void HeelingPath::add_slopes(HeeledState& state) const {
 
   state.righting_lever = (at.centre_of_buoyancy - g).dot(starboard);
   if (task_.free.trim) {
+    // With n the normal: dn/dθ = forward, d²n/dθ² = -n, and d²n/dθdφ = sin θ starboard; ∂²U = dnᵀ S
+    // dn + d²n·w (potential_energy.h).
     const double trim_trim = forward.dot(second * forward) - up.dot(w);
     const double trim_heel = forward.dot(second * by_heel) + sin_trim * starboard.dot(w);
     // The trim follows so that the trimming moment stays zero. Where the ship is not stable
@@ -141,12 +144,16 @@ void HeelingPath::add_slopes(HeeledState& state) const {
     state.trim_slope = trim_trim > 0.0 ? -trim_heel / trim_trim : 0.0;
   }
   const Vector3d up_slope = by_heel + state.trim_slope * forward;
+  // d²n/dφ² = -(0, n_y, n_z); where the trim follows, the mixed derivatives times its slope come
+  // in.
   const double heel_heel = by_heel.dot(second * up_slope) - Vector3d(0.0, up.y(), up.z()).dot(w) +
                            state.trim_slope * sin_trim * starboard.dot(w);
+  // Of GZ alone: the product rule for ∇ GZ cos θ taken back.
   state.slope =
       (heel_heel / volume + state.righting_lever * sin_trim * state.trim_slope) / cos_trim;
   // Depths of the ship's middle, not offsets: these change with the heel for an origin far off.
   state.depth = at.water.offset - up.dot(middle_);
+  // The water turns about the centre of flotation as the volume stays.
   state.depth_slope = up_slope.dot(point - middle_);
 }
 

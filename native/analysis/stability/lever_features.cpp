@@ -36,6 +36,7 @@ std::vector<double> heels_between(const std::vector<double>& heels, double from,
 }
 
 GreatestLever greatest_lever(HeelingPath& path, const std::vector<double>& heels) {
+  // Both ends first: a top within counts only where it is higher.
   GreatestLever best{heels.front(), path.at(heels.front()).righting_lever, true};
   const auto consider = [&](double heel, bool at_end) {
     const double lever = path.at(heel).righting_lever;
@@ -43,6 +44,7 @@ GreatestLever greatest_lever(HeelingPath& path, const std::vector<double>& heels
   };
   consider(heels.back(), true);
   for (std::size_t i = 1; i < heels.size(); ++i) {
+    // A top is where the slope, exact along the path, falls through zero.
     const double before = path.at(heels[i - 1]).slope, after = path.at(heels[i]).slope;
     if (before <= 0.0 || after > 0.0) continue;
     consider(bracketed_root([&](double heel) { return path.at(heel).slope; }, heels[i - 1], before,
@@ -58,6 +60,7 @@ std::optional<double> vanishing_heel(HeelingPath& path, const std::vector<double
 
 std::optional<double> lever_rises_to(HeelingPath& path, const std::vector<double>& heels,
                                      double heeling_lever) {
+  // What the heeling lever is above GZ falls to zero.
   return first_fall(path, heels, [heeling_lever](const HeeledState& s) {
     return heeling_lever - s.righting_lever;
   });

@@ -11,6 +11,7 @@ double potential_energy(const Immersion& immersion, double volume,
                         const Vector3d& centre_of_gravity) {
   const Vector3d& n = immersion.water.normal;
   const double c = immersion.water.offset;
+  // Both heights from the water's surface: offsets of a far origin cancel.
   return volume * (n.dot(centre_of_gravity) - c) -
          immersion.volume * (n.dot(immersion.centre_of_buoyancy) - c);
 }

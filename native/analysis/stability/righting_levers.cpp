@@ -37,6 +37,7 @@ HeelingPath heeling_path(const HullBody& body, const LoadCase& load, TrimMode mo
   if (!(std::abs(trim) < kRightAngle)) {
     throw std::invalid_argument("The trim must be below 90°.");
   }
+  // In any direction the same: all of the body is under water.
   const double whole = greatest_volume(body, Vector3d::UnitZ());
   if (volume >= whole) {
     std::ostringstream words;
@@ -57,11 +58,13 @@ RightingLevers righting_levers(const HullBody& body, const LoadCase& load,
   HeelingPath path = heeling_path(closed.body(), load, options.trim_mode, options.trim);
   RightingLevers result;
   for (double heel : heels) result.states.push_back(path.at(heel));
+  // Before anything else is asked of the path: features need states between those asked for.
   result.curve_evaluations = path.evaluations();
   result.gm = path.at(0.0).slope;
   const double last = *std::max_element(heels.begin(), heels.end());
   result.has_deck_edge = !deck_edge.empty();
   result.can_flood = can_flood(body, options.edges);
+  // Features are those of heels to starboard, whatever is asked for to port.
   if (last > 0.0) {
     const std::vector<double> looked_at = heels_between(heels, 0.0, last);
     result.greatest = greatest_lever(path, looked_at);

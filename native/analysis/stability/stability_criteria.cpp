@@ -24,6 +24,7 @@ class IntactCriteria {
   }
 
   StabilityReport report() {
+    // 40°, or the downflooding angle if that is less (2.2.1).
     const double to_40 = std::min(k40, downflooding_.value_or(k40));
     area("Area under the GZ curve up to 30°", 0.0, k30, 0.055);
     area("Area under the GZ curve up to " + up_to_40(), 0.0, to_40, 0.09);
@@ -34,6 +35,7 @@ class IntactCriteria {
     report_.downflooding_heel = downflooding_;
     report_.can_flood = curve_.can_flood;
     report_.has_deck_edge = !deck_edge_.empty();
+    // Told along with them; no criterion of 2.2 asks for it.
     report_.deck_edge_heel = deck_edge_heel(path_, deck_edge_, curve_.heels);
     report_.passes = all_pass(report_.criteria);
     report_.evaluations = path_.evaluations();
@@ -83,6 +85,7 @@ class IntactCriteria {
     if (!ends_before(needed, c)) {
       c.value = lever_area(path_, from, to, kCriteriaAreaTolerance);
     } else if (downflooding_ && from == 0.0) {
+      // Failed, but what area there is up to flooding is told.
       c.value = lever_area(path_, 0.0, curve_.end(), kCriteriaAreaTolerance);
     }
     add(std::move(c));
@@ -90,17 +93,20 @@ class IntactCriteria {
 
   void lever_beyond_30() {
     Criterion c = criterion("2.2.2", "Greatest GZ at 30° or more", 0.2, "m");
+    // The top of the curve may lie before 30°: then the lever there is the greatest beyond.
     if (!ends_before(k30, c)) c.value = greatest(k30).lever;
     add(std::move(c));
   }
 
   void heel_of_greatest() {
     Criterion c = criterion("2.2.3", "Heel of the greatest GZ", k25, "rad");
+    // Of a curve that ends early its greatest lever is judged all the same.
     if (curve_.end() > 0.0) {
       c.value = greatest(0.0).heel;
     } else {
       ends_before(k25, c);
     }
+    // Not met all the same: whether it is practicable is not for the program to say.
     if (c.value && *c.value < k25) {
       c.note = "Where this is not practicable the Administration may approve alternative criteria.";
     }

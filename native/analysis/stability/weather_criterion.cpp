@@ -87,6 +87,7 @@ class Weather {
             << " m below that of the underwater profile: give its height above the base line.";
       throw std::invalid_argument(words.str());
     }
+    // Over 1000, as the pressure is in Pa and the mass in t.
     result_.steady_lever =
         options_.wind_pressure * area * result_.wind_lever / (1000.0 * kCodeGravity * load_.mass_t);
     result_.gust_lever = kGust * result_.steady_lever;
@@ -95,6 +96,7 @@ class Weather {
   void take_roll() {
     const HeeledState& state = upright();
     const double draft = draft_in(state.immersion.water, options_.midship);
+    // For the waterline's length and breadth; upright, at the trim of the load.
     const Hydrostatics p =
         hydrostatics(closed_, {draft, state.trim, 0.0, options_.midship}, {}, load_.water_density);
     result_.draft = draft;
@@ -146,6 +148,7 @@ class Weather {
     const double lever = result_.gust_lever;
     const std::vector<double> heels = heels_to_end(*result_.steady_heel);
     const GreatestLever top = greatest_lever(path_, heels);
+    // Else GZ, less at the steady heel, comes up to it before the top, and may fall to it beyond.
     if (!(top.lever > lever)) return;
     // With the top among the heels the two intercepts are not missed where both are within a step.
     result_.gust_heel = lever_rises_to(path_, with(heels, top.heel), lever);
@@ -191,6 +194,7 @@ class Weather {
     c.paragraph = "2.3.1.4";
     c.name = "Area b, of GZ above the gust's lever, against area a";
     c.unit = "m·rad";
+    // In the order in which one needs the other: the first that is missing is told.
     if (!result_.steady_heel) {
       c.outcome = CriterionOutcome::kFail;
       c.note = "There is no heel under the steady wind to roll from.";
@@ -210,9 +214,12 @@ class Weather {
     const double first = *result_.gust_heel, lever = result_.gust_lever;
     const double windward = *result_.steady_heel - result_.roll->angle;
     result_.windward_heel = windward;
+    // Between the gust's lever and GZ: where GZ is negative, to windward, it adds to what she
+    // gains.
     result_.area_a =
         lever * (first - windward) - lever_area(path_, windward, first, kCriteriaAreaTolerance);
     result_.area_b = 0.0;
+    // If she floods before the gust's lever is met there is no area b.
     if (*result_.last_heel > first) {
       result_.area_b = lever_area(path_, first, *result_.last_heel, kCriteriaAreaTolerance) -
                        lever * (*result_.last_heel - first);
@@ -226,6 +233,7 @@ class Weather {
   std::string why_it_ends() const {
     const double last = *result_.last_heel;
     std::string words = "Area b ends at " + in_degrees(last);
+    // Compared exactly: `last` is one of these numbers.
     if (result_.second_intercept == last) {
       words += ", where GZ falls below the gust's lever.";
     } else if (last == kLastHeelOfWind) {
