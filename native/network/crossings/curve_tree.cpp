@@ -15,6 +15,7 @@ Vector3d place_of(const Eigen::RowVector4d& point) {
 double distance_from_chord(const Vector3d& place, const Vector3d& start, const Vector3d& end) {
   const Vector3d chord = end - start;
   const double length = chord.squaredNorm();
+  // From the chord as a segment: a part that turns back has control points on its line, beyond it.
   const double share = length > 0.0 ? std::clamp(chord.dot(place - start) / length, 0.0, 1.0) : 0.0;
   return (place - start - share * chord).norm();
 }
@@ -49,6 +50,7 @@ CurveTree::Part CurveTree::part_of(CurvePiece piece) const {
 int CurveTree::halves_of(int number) {
   const auto at = static_cast<std::size_t>(number);
   if (parts_[at].first < 0) {
+    // Apart from the parts, which may move in memory when others are added.
     CurvePiece first, second;
     parts_[at].piece.split(first, second);
     parts_[at].first = static_cast<int>(parts_.size());
