@@ -11,6 +11,7 @@ namespace hull::network {
 namespace {
 
 constexpr double kAll = 0.99;   // of a length: all of it
+// Near zones are wider than asked by up to twice this; with less of it there are more straight parts.
 constexpr double kFlat = 0.05;  // of the tolerance
 
 class Contacting {
@@ -26,6 +27,7 @@ class Contacting {
       for (int k = i; k < count; ++k) {
         if (known.table && !known.is_changed[static_cast<std::size_t>(i)] &&
             !known.is_changed[static_cast<std::size_t>(k)]) {
+          // A known pair that is not in the table has no contacts, and none is looked for again.
           const auto at = known.table->find({i, k});
           if (at != known.table->end()) table.insert(*at);
           continue;
@@ -64,6 +66,7 @@ class Contacting {
     const int count = static_cast<int>(pieces(curve).size());
     const int last = count - 1;
     for (int a = 0; a < count; ++a) {
+      // Neighbours always meet, in their knuckle, and so do both ends of a closed curve.
       for (int b = a + 2; b < count; ++b) {
         if (!(a == 0 && b == last)) meet(curve, a, curve, b);
       }
@@ -107,6 +110,7 @@ class Contacting {
     CurveTree& first = pieces(i)[static_cast<std::size_t>(a)];
     CurveTree& second = pieces(k)[static_cast<std::size_t>(b)];
     const double far = options_.near_misses * options_.tolerance;
+    // The wide reach first: where nothing is within it, as of most pairs, that is all.
     const CurveMeetings near = curve_meetings(first, second, far);
     if (near.points.empty() && near.overlaps.empty()) return 0.0;
     const CurveMeetings joined = curve_meetings(first, second, options_.tolerance);
@@ -158,6 +162,7 @@ class Contacting {
       const auto is_in = [&](double t) {
         return t >= stretch.first_low && t <= stretch.first_high;
       };
+      // A wide stretch has many places: of one that is joined nowhere its beginning is told.
       const bool is_joined = std::ranges::any_of(joined.points, is_in, &CurveMeeting::first) ||
                              std::ranges::any_of(joined.overlaps, is_in, &CurveOverlap::first_low);
       if (is_joined) continue;
@@ -178,6 +183,7 @@ class Contacting {
   void name_duplicate(int i, int k) {
     const Vector3d start = contacts_.overlaps.front().places.front();
     const Vector3d end = contacts_.overlaps.back().places.back();
+    // One sentence in place of those of all stretches.
     contacts_.overlaps.clear();
     contacts_.overlaps.push_back({NetworkProblem::Kind::kDuplicate,
                                   "Curves " + name(i) + " and " + name(k) + " are the same, from " +
