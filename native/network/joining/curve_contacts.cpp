@@ -10,8 +10,8 @@
 namespace hull::network {
 namespace {
 
-constexpr double kAll = 0.99;   // of a length: all of it
-// Near zones are wider than asked by up to twice this; with less of it there are more straight parts.
+constexpr double kAll = 0.99;  // of a length: all of it
+// Near zones are wider than asked by up to twice this; less of it takes more straight parts.
 constexpr double kFlat = 0.05;  // of the tolerance
 
 class Contacting {

@@ -45,6 +45,8 @@ std::vector<std::string> CurveNetwork::names() const {
 bool CurveNetwork::make_shapes() {
   std::vector<CurveDefinition> definitions;
   for (std::size_t i = 0; i < curves_.size(); ++i) {
+    // Here, where each point off its plane is told with its place: network_curve_shapes() stops at
+    // the first.
     definitions.push_back(curves_[i].definition);
     for (NetworkProblem& off :
          points_off_plane(definitions.back(), static_cast<int>(i), options_.joining.tolerance)) {
@@ -65,6 +67,7 @@ KnownContacts CurveNetwork::known_from(const CurveNetwork& before) const {
   if (!before.contacts_) return {};
   KnownContacts known{before.contacts_, {}};
   for (std::size_t i = 0; i < shapes_.size(); ++i) {
+    // Contacts have texts with the curves' names.
     known.is_changed.push_back(shapes_[i].pieces != before.shapes_[i].pieces ||
                                name(static_cast<int>(i)) != before.name(static_cast<int>(i)));
   }
@@ -95,10 +98,12 @@ void CurveNetwork::join(const CurveNetwork* before) {
       contact_table(shapes_, names(), options_.joining, known));
   NetworkFrame frame;
   frame.joined = join_curves(shapes_, names(), options_.joining, *contacts_);
+  // Tangent planes are brought from node to node along edges, and regions are faces of one shell.
   keep_connected(frame.joined, shapes_, names());
   problems_ = frame.joined.problems;
   if (frame.joined.edges.empty()) return;
   const NetworkFrame* known_frame = before == nullptr ? nullptr : before->frame_.get();
+  // Without known contacts nothing is said of which curves have changed.
   frame.shapes = known_frame == nullptr || known.is_changed.empty()
                      ? edge_shapes(frame.joined, shapes_)
                      : edge_shapes(frame.joined, shapes_,
@@ -185,8 +190,10 @@ void CurveNetwork::name_tees() {
     const auto curve_of = [&](const EdgeEnd& end) {
       return frame.joined.edges[static_cast<std::size_t>(end.edge)].curve;
     };
+    // Sectors beyond the border have no normal.
     const bool is_inner = std::ranges::all_of(frame.normals.planes[node].normals,
                                               [](const Vector3d& n) { return !n.isZero(0.0); });
+    // Two ends of the curve that passes, one of that which ends.
     if (!is_inner || around.size() != 3) continue;
     for (const EdgeEnd& end : around) {
       const int curve = curve_of(end);
