@@ -130,6 +130,8 @@ Shells::NewEdge Shells::make_edge_vertex(int first, int last, int curve) {
     half_edges_[half].vertex = vertex;
     half = following;
   }
+  // In this order: where both are one half-edge, `half` and `mate` come before it one after the
+  // other, and a bare one is taken by `half`.
   const int half = insert_before(first, old, edge);
   return {half, insert_before(last, vertex, edge), vertex, -1};
 }
@@ -145,6 +147,8 @@ Shells::NewEdge Shells::make_edge_face(int first, int last, int curve) {
   const int face = faces_.add({.outer = -1, .inner = {}, .shell = faces_[loops_[loop].face].shell});
   const int part = loops_.add({.face = face});
   faces_[face].outer = part;
+  // One loop becomes that of `half` and of all from `last` to before `first`, the other one that of
+  // `mate` and of all from `first` to before `last`.
   const int half = was_bare ? first : half_edges_.add({.vertex = from});
   const int mate = half_edges_.add({.vertex = to, .edge = edge});
   half_edges_[half].edge = edge;
@@ -166,6 +170,7 @@ Shells::NewEdge Shells::make_edge_face(int first, int last, int curve) {
 }
 
 int Shells::kill_edge_make_loop(int half) {
+  // Copies: what they link is asked for after they are gone.
   const HalfEdge going = half_edges_.at(half);
   require_shells(!is_bare(half) && half_edges_[mate(half)].loop == going.loop,
                  "Half-edge " + std::to_string(half) + " has not one loop on both sides.");
@@ -242,6 +247,8 @@ void Shells::kill_edge_face(int half) {
   require_shells(killed != loops_[going.loop].face && faces_[killed].inner.empty(),
                  "Face " + std::to_string(killed) + ", beyond half-edge " + std::to_string(half) +
                      ", is the same or has inner loops.");
+  // A half whose loop it is alone goes around by itself: then there is nothing before or behind it
+  // to be linked, and where that is so on both sides the vertex is left bare.
   const bool is_loop = going.next == half, is_other_loop = coming.next == other;
   remove_edge(half);
   if (is_loop) {
@@ -325,6 +332,7 @@ std::vector<int> Shells::connected_faces(int face) const {
 // By V + F - E - L = 2 (1 - genus), as it holds for one shell.
 int Shells::genus_of(const std::vector<int>& faces) const {
   int sum = 0;
+  // Each half-edge begins at one vertex, and each vertex has one: so all are met, if several times.
   std::vector<int> vertices;
   int half_edges = 0;
   const auto count = [&](int loop) {
