@@ -18,6 +18,8 @@ double turn_along(const JoinedCurves& joined, const std::vector<EdgeShape>& shap
   const Vector3d& from = order.normals[static_cast<std::size_t>(edge.from)];
   const Vector3d& to = order.normals[static_cast<std::size_t>(edge.to)];
   double turn = 0.0;
+  // The angles between tangents, seen along normals that go evenly from one node's to the other's:
+  // what the edge turns within the surface.
   Vector3d before = shape.tangent_from(true);
   for (int i = 1; i <= kTurnSteps; ++i) {
     const double u = static_cast<double>(i) / kTurnSteps;
@@ -27,6 +29,7 @@ double turn_along(const JoinedCurves& joined, const std::vector<EdgeShape>& shap
     turn += std::atan2(normal.dot(before.cross(next)), before.dot(next));
     before = next;
   }
+  // The other way round it turns to the other side, seen along the same normals.
   return side.is_along ? turn : -turn;
 }
 
@@ -50,6 +53,7 @@ RegionFaces region_faces(const JoinedCurves& joined, const std::vector<EdgeShape
   std::vector<RegionEdge> side_of_half(static_cast<std::size_t>(shells.half_edges().end()));
   for (std::size_t e = 0; e < edges.size(); ++e) {
     const int half = faces.topology.half_of_edge[e];
+    // Either half has the face of its side to its left.
     side_of_half[static_cast<std::size_t>(half)] = {static_cast<int>(e), true};
     side_of_half[static_cast<std::size_t>(shells.mate(half))] = {static_cast<int>(e), false};
   }
@@ -69,6 +73,7 @@ RegionFaces region_faces(const JoinedCurves& joined, const std::vector<EdgeShape
       const Vector3d on = shapes[static_cast<std::size_t>(next.edge)].tangent_from(next.is_along);
       // The only edge of a node turns right round.
       const bool is_back = order.around[node].size() == 1;
+      // At a node the way turns by what its inner angle lacks of half a turn.
       turn += std::numbers::pi -
               (is_back ? 2.0 * std::numbers::pi : angle_around(order.normals[node], on, back));
       turn += turn_along(joined, shapes, order, side);

@@ -23,6 +23,7 @@ class Planes {
   }
 
   TangentPlanes run() {
+    // From a crease on, if there is one: sectors around the star's first end may be of one plane.
     const std::size_t first = first_sector();
     std::size_t at = 0;
     while (at < count_) {
@@ -52,6 +53,7 @@ class Planes {
   void set_plane(std::size_t sector, std::size_t sectors) {
     if (star_.is_beyond[sector]) return;
     std::vector<Vector3d> edges;
+    // Sectors in a row have one end more than there are of them, but for all around.
     for (std::size_t i = 0; i <= std::min(sectors, count_ - 1); ++i) {
       edges.push_back(star_.directions[(sector + i) % count_]);
     }
@@ -89,6 +91,8 @@ class Planes {
     // A curve that only bends a little tells nothing of the plane across it.
     const bool goes_on = edges.front().dot(edges.back()) < 0.0;
     if (most < kOneLine || (goes_on && most < kPassing)) return std::nullopt;
+    // Of more than two that plane off which the squared sines are least; of two it is the product,
+    // which is exact.
     if (edges.size() > 2) {
       const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(moments);
       normal = axes.eigenvectors().col(0);
@@ -132,6 +136,7 @@ TangentPlanes tangent_planes(const NodeStar& star, double limit) {
   }
   if (best) return *best;
   TangentPlanes apart = Planes(star, std::vector<bool>(star.directions.size(), true)).run();
+  // Sectors by themselves are off next to nothing: what is told is how far larger planes were.
   apart.deviation = planes.deviation;
   apart.has_planes = false;
   return apart;
