@@ -58,6 +58,8 @@ PatchPoint coons_gregory(const std::vector<RibbonedSide>& sides, const Vector2d&
                                       border_of(sides[1], v, false, false)};
   const auto hu = hermite(u), hv = hermite(v);
   const std::array<Dual, 2> from_u{u, 1.0 - u}, from_v{v, 1.0 - v};
+  // A Boolean sum: the surface between two sides, that between the others, less what both have in
+  // common, the corners with their slopes and twists.
   DualPlace sum;
   for (std::size_t i : {0u, 1u}) {
     sum = sum + hu[i] * along_v[i].place + hu[i + 2] * along_v[i].across;

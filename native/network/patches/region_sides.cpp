@@ -46,6 +46,7 @@ class SideCurve {
   };
 
   Jet at(double u) const {
+    // Among inner ends, so that 0 is of the first edge and 1 of the last.
     const auto above = std::upper_bound(ends_.begin() + 1, ends_.end() - 1, u);
     const auto part = static_cast<std::size_t>(above - ends_.begin()) - 1;
     const RegionEdge& edge = side_[part];
@@ -53,6 +54,7 @@ class SideCurve {
     const double width = ends_[part + 1] - ends_[part];
     const double share = std::clamp((u - ends_[part]) / width, 0.0, 1.0);
     const double t = edge.is_along ? share : 1.0 - share;
+    // By the side's parameter the edge's runs so fast; each order takes it once more.
     const double speed = (edge.is_along ? 1.0 : -1.0) / width;
     const Points3 jet = frame_->shapes[number].evaluate(t, 2);
     NormalJet normal = (edge.is_along ? frame_->normals.left : frame_->normals.right)[number].at(t);
@@ -95,6 +97,7 @@ class Ribbon {
                  normal_slope.cross(tangent.normal) + normal.cross(tangent.slope));
     const double alpha = (1.0 - u) * start_.along + u * end_.along;
     const double beta = (1.0 - u) * start_.across + u * end_.across;
+    // (5.2), and its derivative.
     return {jet.point, jet.slope, alpha * tangent.normal + beta * across.normal,
             alpha * tangent.slope + beta * across.slope +
                 (end_.along - start_.along) * tangent.normal +
@@ -112,6 +115,7 @@ class Ribbon {
     const double length = across.norm();
     // Neighbours that go on in one line have no plane with it: the normal stays.
     if (!(length > 1e-9 * slope.norm())) return {along, 0.0, Vector3d::Zero()};
+    // The normal of both slopes, to that side where the side's own is.
     const Vector3d own = tangent.cross(across / length);
     const double sense = own.dot(normal) < 0.0 ? -1.0 : 1.0;
     return {along, sense * length, sense * own - normal};
@@ -139,6 +143,7 @@ std::vector<RegionSide> region_sides(const NetworkFrame& frame,
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const std::size_t next = corners[(i + 1) % corners.size()];
     sides.emplace_back();
+    // From a single corner once all around, to itself.
     for (std::size_t e = corners[i]; sides.back().empty() || e % count != next; ++e) {
       sides.back().push_back(loop[e % count]);
     }
@@ -216,6 +221,7 @@ std::vector<RibbonedSide> ribboned_sides(std::shared_ptr<const NetworkFrame> fra
   const std::size_t count = curves.size();
   std::vector<RibbonedSide> ribboned;
   for (std::size_t i = 0; i < count; ++i) {
+    // The neighbour before runs towards the corner.
     const Vector3d before = -curves[(i + count - 1) % count].at(1.0).slope;
     const Vector3d after = curves[(i + 1) % count].at(0.0).slope;
     ribboned.emplace_back(Ribbon(curves[i], before, after));
