@@ -44,6 +44,7 @@ Vector2d centroid(const std::vector<Vector2d>& polygon) {
   double area = 0.0;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Vector2d &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+    // Triangles with the origin, by their signed areas: the polygon may be hollow.
     const double twice = cross(a, b);
     sum += twice / 3.0 * (a + b);
     area += twice;
@@ -72,6 +73,7 @@ std::optional<BorderPlate> BorderPlate::within(const std::vector<PlateSample>& b
   plate.axes_.col(1) = up.cross(plate.axes_.col(0));
   double reach = 0.0;
   for (const PlateSample& s : border) reach = std::max(reach, (s.point - plate.origin_).norm());
+  // Places are of about 1, so that fifth powers and polynomials are of one size.
   plate.scale_ = reach;
   std::vector<Vector2d> polygon;
   std::vector<double> wanted;
@@ -101,6 +103,7 @@ void BorderPlate::solve(const Eigen::VectorXd& wanted) {
   Eigen::MatrixXd all = Eigen::MatrixXd::Zero(count + terms, count + terms);
   for (Eigen::Index i = 0; i < count; ++i) {
     const Source& one = sources_[static_cast<std::size_t>(i)];
+    // A row is the height, or the slope across the border, of all sources at one place.
     const bool has_slope = !one.across.isZero(0.0);
     for (Eigen::Index k = 0; k < count; ++k) {
       const Source& other = sources_[static_cast<std::size_t>(k)];

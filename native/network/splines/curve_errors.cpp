@@ -10,6 +10,7 @@ constexpr int kMeasuredOfSpan = 5;  // none of which is a place of fitted_spline
 constexpr int kSteps = 6;           // of Newton's, from the same parameter
 
 double distance_from(const BSplineCurve& spline, double t, const Vector3d& point) {
+  // The least on the way: all of these are places of the spline, whether steps converge or not.
   double least = (spline.position(t) - point).norm();
   for (int step = 0; step < kSteps; ++step) {
     const Points3 jet = spline_jet(spline, t);

@@ -81,6 +81,7 @@ BSplineCurve complete_spline(const SplineBreaks& breaks, const Vector3d& start_s
   points[1] = points.front() + start_slope * (breaks.width(0) / 3.0);
   points[points.size() - 2] = points.back() - end_slope * (breaks.width(breaks.spans() - 1) / 3.0);
   const std::size_t first = 2, last = breaks.spans();
+  // Of each row, after the one before is taken off it, what is left of the next point.
   std::vector<double> above(points.size(), 0.0);
   for (std::size_t i = first; i <= last; ++i) {
     const conversion::BasisValues values =
@@ -88,6 +89,7 @@ BSplineCurve complete_spline(const SplineBreaks& breaks, const Vector3d& start_s
     const auto row = values.rows.row(0);
     const double pivot = row(1) - row(0) * above[i - 1];
     Vector3d right = breaks.places[i - 1] - row(0) * points[i - 1];
+    // The last but one point is known, by the slope.
     if (i == last) right -= row(2) * points[i + 1];
     above[i] = i == last ? 0.0 : row(2) / pivot;
     points[i] = right / pivot;
@@ -103,6 +105,7 @@ FittedSpline fitted_spline(const CurveFunction& curve, double tolerance) {
     FittedSpline fitted{complete_spline(breaks, start.row(1), end.row(1))};
     std::vector<bool> is_off(breaks.spans());
     for (std::size_t s = 0; s < breaks.spans(); ++s) {
+      // All spans each time: one that is halved moves its neighbours, too.
       const double error = furthest_in(fitted.curve, curve, breaks.at[s], breaks.width(s));
       is_off[s] = error > tolerance;
       fitted.error = std::max(fitted.error, error);
@@ -124,6 +127,7 @@ Points3 spline_jet(const BSplineCurve& curve, double t) {
 BSplineCurve with_knots(const BSplineCurve& curve, const std::vector<double>& knots) {
   BSplineCurve result = curve;
   for (double& knot : result.knots) {
+    // First to the others' digits: knots that differ by rounding would come twice, else.
     const auto near = std::lower_bound(knots.begin(), knots.end(), knot - conversion::kSameKnot);
     if (near != knots.end() && *near <= knot + conversion::kSameKnot) knot = *near;
   }
@@ -161,6 +165,8 @@ BSplineCurve strung_together(const std::vector<BSplineCurve>& parts,
       const Vector3d before = spline_jet(parts[p - 1], 1.0).row(1) / (ends[p] - ends[p - 1]);
       const Vector3d after = spline_jet(part, 0.0).row(1) / width;
       const bool is_smooth = (before - after).norm() <= kSameSlope * size;
+      // At a double knot the common point lies between its neighbours, and is none of the spline's
+      // own.
       if (is_smooth) whole.points.pop_back();
       whole.knots.insert(whole.knots.end(), is_smooth ? 2 : 3, ends[p]);
       whole.points.insert(whole.points.end(), part.points.begin() + 1, part.points.end());
@@ -171,6 +177,8 @@ BSplineCurve strung_together(const std::vector<BSplineCurve>& parts,
   }
   whole.knots.insert(whole.knots.end(), 4, 1.0);
   for (std::size_t p = 1; p < parts.size(); ++p) {
+    // Where the second derivative goes on, too, as from edge to edge of one curve, one knot will
+    // do.
     if (std::ranges::count(whole.knots, ends[p]) == 2) {
       make_simple(whole, ends[p], kRounding * size);
     }

@@ -105,6 +105,7 @@ class PatchMaker {
     const NetworkFrame& frame = network_.frame();
     std::vector<RegionSide> sides = sides_of_one_curve(frame, region.sides);
     if (!quads.has_short_sides) sides = with_short_sides_joined(frame, std::move(sides));
+    // By pointers, which hold: elements of a map stay where they are while others come.
     placed_.push_back({&quads, quad_borders(frame, sides, quads.is_single())});
     made_.spoke_error = std::max(made_.spoke_error, quads.spoke_error);
     // No border follows a reference: what counts is how far the patches are from it.
@@ -125,6 +126,7 @@ class PatchMaker {
   }
 
   void name_missed() {
+    // Each curve is told once, where it is missed by most.
     std::map<int, std::pair<double, Vector3d>> worst;  // of curves
     for (std::size_t e = 0; e < edges_.fitted.size(); ++e) {
       const double error = edges_.fitted[e].error;

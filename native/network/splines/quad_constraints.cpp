@@ -57,6 +57,7 @@ double moved_share(BSplinePatch& patch, const std::vector<Vector3d>& moves) {
   for (const Vector3d& point : patch.control_points) box.extend(point);
   for (const Vector3d& move : moves) moved.extend(move);
   const double share = moved.diagonal().norm() / box.diagonal().norm();
+  // What is no number moves nothing, either.
   if (!(share <= kMostMove)) return share;
   for (std::size_t i = 0; i < moves.size(); ++i) patch.control_points[i] += moves[i];
   return share;
@@ -101,6 +102,8 @@ bool meet_normals(BSplinePatch& patch, const std::array<QuadSide, 4>& sides,
   const std::vector<NormalConstraint> constraints = normal_constraints(patch, sides);
   const auto count = static_cast<Eigen::Index>(constraints.size());
   if (count == 0) return true;
+  // With the form H and the constraints C: moves H^-1 C' m such that C H^-1 C' m = -excess. H has
+  // the coordinates apart, so that normals come in by their products alone.
   std::vector<Eigen::MatrixXd> answers;
   Eigen::MatrixXd form(count, count);
   Eigen::VectorXd excess(count);
@@ -114,6 +117,7 @@ bool meet_normals(BSplinePatch& patch, const std::array<QuadSide, 4>& sides,
           one.normal.dot(other.normal) * weighted(patch, other, answers.back());
     }
   }
+  // Constraints that say the same make it singular; what they ask is shared out among them.
   const Eigen::VectorXd multipliers = mesh::least_norm_solution(form, -excess, kIndependent);
   std::vector<Vector3d> moves(patch.control_points.size(), Vector3d::Zero());
   for (int u = 0; u + 2 < patch.count_u; ++u) {

@@ -20,6 +20,7 @@ struct Samples {
     for (std::size_t i = 1; i < knots.size(); ++i) {
       const double width = knots[i] - knots[i - 1];
       if (!(width > 0.0)) continue;
+      // Roots of the weights, as they come into squares.
       for (double share : nodes) {
         places.push_back(knots[i - 1] + share * width);
         roots.push_back(std::sqrt(0.5 * width));
@@ -53,6 +54,7 @@ BSplinePatch with_borders(const std::array<QuadSide, 4>& sides, int spans) {
   for (int k = 0; k < 4; ++k) {
     const BSplineCurve& curve = sides[static_cast<std::size_t>(k)].curve;
     const auto& knots = k % 2 == 0 ? patch.knots_u : patch.knots_v;
+    // Sides 2 and 3 run against u and v, along which the knots are.
     const BSplineCurve fine =
         k < 2 ? with_knots(curve, knots) : with_knots(curve.reversed(), knots).reversed();
     for (int i = 0; i < patch.side_count(k); ++i) {
@@ -90,8 +92,11 @@ class InnerFit {
       for (int i = 0; i < patch.count_u; ++i) {
         for (int j = 0; j < patch.count_v; ++j) points(i, j) = patch.control_point(i, j)[d];
       }
+      // Inner points are zero yet: this is what the borders leave of the target.
       const Eigen::MatrixXd rest =
           wanted[static_cast<std::size_t>(d)] - u_.basis * points * v_.basis.transpose();
+      // Normal equations of a tensor product, A'A X B'B = A' R B: two small solutions for one of
+      // all points.
       const Eigen::MatrixXd inner = solved(u_.inner().transpose() * rest * v_.inner());
       for (int i = 1; i + 1 < patch.count_u; ++i) {
         for (int j = 1; j + 1 < patch.count_v; ++j) {
@@ -104,6 +109,7 @@ class InnerFit {
 
   // The inverse of the normal equations, of a matrix over the inner control points.
   Eigen::MatrixXd solved(const Eigen::MatrixXd& right) const {
+    // From the left by u, then from the right by v.
     const Eigen::MatrixXd half = solve_u_.solve(right);
     return solve_v_.solve(half.transpose()).transpose();
   }

@@ -31,6 +31,7 @@ Place foot_from(const BSplinePatch& patch, Place at, const Vector3d& point) {
     slopes << jet.du, jet.dv;
     const Place move =
         (slopes.transpose() * slopes).ldlt().solve(slopes.transpose() * (point - jet.point));
+    // Where the patch has no tangent plane.
     if (!move.allFinite()) return at;
     at = (at + move).cwiseMax(0.0).cwiseMin(1.0);
     if (move.norm() < kSettled) break;
@@ -57,6 +58,7 @@ struct Energies {
     const auto at = [&](double share) {
       return conversion::basis_values(knots, 3, low + share * width);
     };
+    // Within the span: at its end the polynomials of the next one would be asked for.
     const conversion::BasisValues a = at(0.25), b = at(0.75);
     const Eigen::RowVector4d bend = (b.rows.row(2) - a.rows.row(2)) / (0.5 * width);
     third.block<4, 4>(a.first, a.first) += width * bend.transpose() * bend;
@@ -75,6 +77,8 @@ struct Energies {
       return rows;
     };
     if (low > 0.0) {
+      // Zero at simple knots, but for rounding. Divided by the mean width to the powers that make
+      // it an integral of squared third derivatives.
       const Eigen::MatrixXd jump = derivatives(a, -quarter) - at_end_;
       const double mean = 0.5 * (width + width_);
       third += jump.row(1).transpose() * jump.row(1) / mean;
@@ -115,6 +119,7 @@ class CurveFit {
     for (std::size_t q = 0; q < constraints_.size(); ++q) {
       add_constraint(constraints_[q], inner + static_cast<Eigen::Index>(q));
     }
+    // Indefinite, as nothing stands where constraints meet constraints: no Cholesky.
     Eigen::SparseMatrix<double> form(size, size);
     form.setFromTriplets(entries_.begin(), entries_.end());
     Eigen::SparseLU<Eigen::SparseMatrix<double>> solver(form);
@@ -162,6 +167,7 @@ class CurveFit {
   }
 
   void add_energy(double share) {
+    // A span has four functions; across a threefold knot it has seven with the next one.
     const auto near = [](int i, int count) {
       return std::pair{std::max(0, i - kReach), std::min(count - 1, i + kReach)};
     };
@@ -230,6 +236,7 @@ ReferenceFit fit_with_spans(const std::array<QuadSide, 4>& sides, const QuadTarg
                             const std::vector<Reference>& curves, int spans) {
   ReferenceFit fit{fitted_quad(sides, start, spans), {}};
   BSplinePatch& patch = fit.quad.patch;
+  // With the knots of its borders a patch has more spans than were asked for.
   const int most = std::max(patch.count_u, patch.count_v) - 3;
   const int parts = std::max(kLeastParts, kPartsOfSpan * most);
   if (!CurveFit(patch, sides).solve(points_of(curves, parts))) fit.quad.has_normals = false;

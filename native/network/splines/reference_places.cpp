@@ -30,6 +30,7 @@ std::vector<Chain> chains_of(const JoinedCurves& joined, const std::vector<int>&
   const CurveEdge* last = nullptr;
   for (std::size_t i : order) {
     const CurveEdge& edge = edge_of(i);
+    // Edges of a piece have numbers in its order.
     const bool goes_on = last != nullptr && last->curve == edge.curve &&
                          last->piece == edge.piece && last->to == edge.from &&
                          last->high == edge.low;
@@ -63,6 +64,7 @@ void place_inner(const std::vector<Chain>& chains, NodePlaces& places) {
   std::map<int, Eigen::Index> unknown;
   Eigen::Index rows = 0;
   for (const Chain& chain : chains) {
+    // An equation for each node that a chain passes; a node where two chains cross has two.
     rows += std::ssize(chain.nodes) - 2;
     for (int node : chain.nodes) {
       if (!places.contains(node)) unknown.try_emplace(node, std::ssize(unknown));
@@ -76,6 +78,7 @@ void place_inner(const std::vector<Chain>& chains, NodePlaces& places) {
     for (std::size_t i = 1; i + 1 < chain.nodes.size(); ++i, ++row) {
       const auto& t = chain.parameters;
       const double share = (t[i] - t[i - 1]) / (t[i + 1] - t[i - 1]);
+      // p_i = (1 - share) p_(i-1) + share p_(i+1); what is known of it goes to the right.
       const std::pair<std::size_t, double> terms[] = {
           {i, 1.0}, {i - 1, share - 1.0}, {i + 1, -share}};
       for (const auto& [at, weight] : terms) {
@@ -144,6 +147,7 @@ Vector2d ReferencePlaces::at(std::size_t reference, double t) const {
   const Part& part = parts_[reference];
   const Vector3d place =
       chains_[part.chain].position(std::clamp(part.low + t * (part.high - part.low), 0.0, 1.0));
+  // Between nodes beside a side the spline may swing out of the square.
   return place.head<2>().cwiseMax(0.0).cwiseMin(1.0);
 }
 
