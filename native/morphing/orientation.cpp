@@ -39,11 +39,14 @@ class ExactSum {
     count_ = kept;
   }
 
+  // Six products of two components each.
   std::array<double, 12> components_;
   int count_ = 0;
 };
 
 double exact_orientation(const Vector2d& a, const Vector2d& b, const Vector2d& c) {
+  // The determinant multiplied out, of coordinates as they are: a difference of two would be
+  // rounded.
   ExactSum sum;
   sum.add_product(a.x(), b.y());
   sum.add_product(-a.y(), b.x());

@@ -39,6 +39,8 @@ class Tracer {
   }
 
   void walk_from(int point) {
+    // To the left from the outgoing half-edge; of a border point that is the one along the border,
+    // and the turn ends at the border's other edge.
     const int begin = t_.outgoing(point);
     int h = begin;
     while (true) {
@@ -57,6 +59,8 @@ class Tracer {
          is_border ? &traces_.locations[to] : nullptr, traces_.stretches);
     const int count = static_cast<int>(traces_.stretches.size()) - begin;
     traces_.paths.push_back({h, begin, count});
+    // A point is found by the first walk that comes to it; all others must find it in the same
+    // place.
     const Location& end = traces_.stretches.back().end;
     if (!is_found_[to]) {
       take(to, end);

@@ -53,6 +53,9 @@ class Walker {
     int h = begin;
     do {
       const int back = t_.prev(h);
+      // Edges of the border are not asked, for the border is a chain beside them: on its first
+      // edge's right and its last one's left there is nothing, so that the line leaves between
+      // them.
       const double right = t_.twin(h) < 0 ? -1.0 : side(target(h));
       const double left = t_.twin(back) < 0 ? 1.0 : side(t_.origin(back));
       if (right == 0.0 && ahead(places_[point], places_[target(h)]) > 0.0) return follow(h);
@@ -65,6 +68,7 @@ class Walker {
   void leave_edge(int h) {
     if (t_.twin(h) < 0) return enter(h);
     const double left = orientation(places_[t_.origin(h)], places_[target(h)], q_);
+    // As the walk begins on the edge, q alone tells into which of its triangles.
     if (left > 0.0) return enter(h);
     if (left < 0.0) return enter(t_.twin(h));
     const bool forward = ahead(places_[t_.origin(h)], places_[target(h)]) > 0.0;
@@ -74,6 +78,7 @@ class Walker {
   void leave_triangle(int triangle) {
     const int first = t_.first_half_edge(triangle);
     double sides[3];
+    // Out over the edge that goes from right to left, or through the corner between the two sides.
     for (int i = 0; i < 3; ++i) sides[i] = side(t_.origin(first + i));
     for (int i = 0; i < 3; ++i) {
       const double next = sides[(i + 1) % 3], last = sides[(i + 2) % 3];
@@ -90,6 +95,7 @@ class Walker {
     const int opposite = t_.origin(t_.prev(h));
     const double left = side(opposite);
     if (left == 0.0) return reach(opposite, t_.face(h));
+    // The next edge begins to the right of the line, where h ends; the one before ends to its left.
     leave_through(left > 0.0 ? t_.next(h) : t_.prev(h));
   }
 

@@ -37,6 +37,8 @@ void add_inner_sides(const DiscPair& maps, const EdgeTraces& traces, int disc,
                      : stretch.end.within == Within::kPoint
                          ? merged.numbers[1 - disc][stretch.end.index]
                          : merged.number_of(pair(own.edge(h), other.edge(stretch.end.index)));
+      // A stretch in a triangle has a part of it on either side, one with each triangle of its own
+      // disc.
       if (stretch.triangle >= 0) {
         sides.push_back({pair(left, stretch.triangle), from, to});
         sides.push_back({pair(right, stretch.triangle), to, from});
@@ -107,6 +109,7 @@ MergedDiscs::MergedDiscs(const DiscMap& first, const DiscMap& second) {
   std::vector<PartSide> sides;
   for (int disc = 0; disc < 2; ++disc) add_inner_sides(maps, traces[disc], disc, merged, sides);
   add_border_sides(maps, border, merged, sides);
+  // Sides of one part come together; in which order is no matter, for outline() follows their ends.
   std::sort(sides.begin(), sides.end(),
             [](const PartSide& a, const PartSide& b) { return a.triangles < b.triangles; });
   const PartSide* const end = sides.data() + sides.size();

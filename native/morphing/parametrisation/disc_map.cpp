@@ -39,6 +39,7 @@ void DiscMap::place_inner_points(WeightKind kind) {
   Eigen::MatrixX2d right = Eigen::MatrixX2d::Zero(size, 2);
   for (int row = 0; row < size; ++row) {
     entries.emplace_back(row, row, 1.0);
+    // A point less the mean of its neighbours is zero; neighbours on the border are known.
     for (const NeighbourWeight& of : neighbour_weights(disc(), inner[row], kind)) {
       if (unknown[of.point] >= 0) {
         entries.emplace_back(row, unknown[of.point], -of.weight);
@@ -62,6 +63,8 @@ void DiscMap::place_inner_points(WeightKind kind) {
 void DiscMap::check_triangles() const {
   for (int t = 0; t < disc().triangle_count(); ++t) {
     const Triangle corners = disc().triangle(t);
+    // In exact arithmetic none turns over (Tutte 1963; Floater 1997): one that does is too thin for
+    // doubles.
     const auto& [a, b, c] = corners;
     if (orientation(places_[a], places_[b], places_[c]) > 0.0) continue;
     throw std::invalid_argument(

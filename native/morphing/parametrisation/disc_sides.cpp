@@ -29,6 +29,8 @@ std::vector<int> corner_places(const TriangleDisc& disc, const std::vector<int>&
       throw std::invalid_argument(name + ", is not on the border: name a point that is.");
     }
     places.push_back(place[point]);
+    // Along the border from the first corner on corners come in rising order, all within once
+    // around.
     const int from_first = (places.back() - places.front() + count) % count;
     if (from_first <= last) {
       throw std::invalid_argument(name +
@@ -81,6 +83,7 @@ void add_parts(const Triangle& corners, const std::array<int, 3>& middles,
   if (count == 0) {
     parts.push_back(corners);
   } else if (count == 3) {
+    // Middle i is on the edge from corner i to the next.
     parts.push_back({middles[0], middles[1], middles[2]});
     for (int i = 0; i < 3; ++i) parts.push_back({corner(i), middle(i), middle(i + 2)});
   } else if (count == 1) {
@@ -138,6 +141,7 @@ SplitDisc split_chords(const TriangleDisc& disc, const std::vector<int>& corners
   SplitDisc split{disc, {}};
   std::vector<Vector3d> points = disc.points();
   std::vector<int> middle(t.edge_count(), -1);
+  // Once is enough: new points are inside, and no edge to one joins two points of a side.
   for (int h = 0; h < t.half_edge_count(); ++h) {
     if (t.twin(h) < 0 || !t.is_edge_front(h)) continue;
     const int a = t.origin(h), b = t.origin(t.next(h));

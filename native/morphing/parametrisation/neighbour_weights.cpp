@@ -89,7 +89,10 @@ std::vector<double> shape_preserving(const Star& star, int point) {
     double opposite = directions[l] + std::numbers::pi;
     if (opposite >= 2.0 * std::numbers::pi) opposite -= 2.0 * std::numbers::pi;
     const auto beyond = std::upper_bound(directions.begin(), directions.end(), opposite);
+    // The last of the directions is the first edge again, and begins no sector.
     int r = std::min(static_cast<int>(beyond - directions.begin()) - 1, count - 1);
+    // A sector has pi at most, as no angle in space is more than the others together; of one that
+    // has, the ray opposite to its edge may by rounding be found within.
     if (r == l) r = star.after(l);
     if (star.after(r) == l) r = (r + count - 1) % count;
     add_barycentric(flat, {l, r, star.after(r)}, count, weights);
@@ -102,6 +105,7 @@ std::vector<double> mean_value(const Star& star, int point) {
   std::vector<double> half_tangents;
   for (int k = 0; k < count; ++k) {
     const Vector3d &e = star.edges[k], &f = star.edges[star.after(k)];
+    // tan(a / 2) = sin a / (1 + cos a), by the product of both lengths.
     const double cosine = e.norm() * f.norm() + e.dot(f);
     if (!(cosine > 0.0)) {
       throw std::invalid_argument("The triangle of points " + std::to_string(point) + ", " +

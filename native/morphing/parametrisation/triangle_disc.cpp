@@ -59,6 +59,7 @@ std::vector<int> border_from(const mesh::Topology& t, int begin) {
   int h = begin;
   do {
     border.push_back(h);
+    // The outgoing half-edge of a border point is that along the border.
     h = t.outgoing(t.origin(t.next(h)));
   } while (h != begin);
   return border;
@@ -89,6 +90,7 @@ TriangleDisc::TriangleDisc(std::vector<Vector3d> points, const std::vector<Trian
   check_points_and_edges(mesh_);
   check_one_part(t);
   border_ = only_border(t);
+  // In one part, with one border: each handle takes 2 from the 1 of a disc.
   if (t.vertex_count() - t.edge_count() + t.face_count() != 1) {
     refuse("The triangles have one border, but a handle: cut the surface along the handle.");
   }
