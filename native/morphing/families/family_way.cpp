@@ -42,6 +42,7 @@ class WayBody {
 
  private:
   const surface::LimitSurface& moved(double t) {
+    // From both ends each time, and not from the member before, so that rounding does not add up.
     const std::vector<Vector3d> a = family_.points(way_.from), b = family_.points(way_.to);
     std::vector<Vector3d> points(a.size());
     for (std::size_t i = 0; i < a.size(); ++i) points[i] = (1.0 - t) * a[i] + t * b[i];
@@ -79,6 +80,7 @@ double polynomial(const Eigen::Vector4d& c, double t) {
 // The Bézier coefficients of the cubic on an interval, less a value.
 analysis::BezierCubic on_interval(const Eigen::Vector4d& c, double low, double high, double less) {
   const double h = high - low, start = polynomial(c, low) - less;
+  // Taylor's terms from the lower end, with the width's powers in them.
   const double d1 = h * (c[1] + low * (2.0 * c[2] + 3.0 * low * c[3]));
   const double d2 = h * h * (2.0 * c[2] + 6.0 * low * c[3]), d3 = 6.0 * h * h * h * c[3];
   return {start, start + d1 / 3.0, start + 2.0 * d1 / 3.0 + d2 / 6.0,
@@ -98,6 +100,7 @@ WholeVolume::WholeVolume(const HullFamily& family, const FamilyWay& way, bool mi
     moments[i] = whole.volume * whole.centre_of_buoyancy;
   }
   Eigen::Matrix<double, 4, 3> of_volume = Eigen::Matrix<double, 4, 3>::Zero();
+  // One column of three: moments take all.
   for (int i = 0; i < 4; ++i) of_volume(i, 0) = volumes[i];
   volume_ = through_nodes<4>(of_volume).col(0);
   Eigen::Matrix<double, 5, 3> of_moments;
@@ -105,6 +108,7 @@ WholeVolume::WholeVolume(const HullFamily& family, const FamilyWay& way, bool mi
   moments_ = through_nodes<5>(of_moments).transpose();
   departure_ = 0.0;
   for (std::size_t i = 4; i < kNodes.size(); ++i) {
+    // Nodes that the cubic was not made of.
     const double off = std::abs(volume_at(kNodes[i]) - volumes[i]);
     departure_ = std::max(departure_, off / std::abs(volumes[i]));
   }
@@ -150,6 +154,7 @@ std::optional<double> t_of_displacement(const HullFamily& family, const FamilyWa
     const analysis::Plane plane = analysis::water_plane({draft, water.trim, 0.0, water.draft_at});
     return body.below(plane).volume - wanted;
   };
+  // No polynomial, and perhaps of several roots: the first change of sign among a few stations.
   double before = low, at_before = excess(low);
   for (int i = 1; i < kWayStations; ++i) {
     const double t = i + 1 == kWayStations ? high : low + (high - low) * i / (kWayStations - 1);

@@ -64,6 +64,8 @@ WantedWeights wanted_weights(const HullFamily& family, const std::vector<double>
   const Eigen::VectorXd gains = shares(options.modes, points, found.reached);
   for (Eigen::Index k = 0; k < gains.size(); ++k) {
     found.weights[static_cast<std::size_t>(k) + 1] += gains[k];
+    // Modes are differences from the first parent: what another gains it loses, and the sum stays
+    // 1.
     found.weights[0] -= gains[k];
   }
   return found;

@@ -53,8 +53,8 @@ FeatureRole at_end(bool is_aft, EndPart part) {
   }
 }
 
-// What a crease is that runs off the centre plane: a rim is, on average of its control points, as
-// low or as far out as the hull is.
+// What a crease is that runs off the centre plane: the rim of a flat bottom is, on average of its
+// control points, as low as the hull is.
 FeatureRole knuckle_role(const CreaseCurve& curve, const HullBox& hull) {
   const std::vector<Vector3d>& points = curve.spline().points();
   double height = 0.0;
@@ -74,7 +74,11 @@ FeatureRole role_of(const CreaseCurve& curve, const HullBox& hull, double size) 
       box.high.x() <= hull.low.x() + kTransomReach * (hull.high.x() - hull.low.x()) &&
       extent.x() <= kTransomLean * across;
   const bool is_forward = box.low.x() >= hull.high.x() - kAtCentreLine * size;
+  // A crease beside the centre plane that runs along it, and not across, is a bar's at the ends,
+  // too.
   const bool is_bar = is_central && extent.y() < 0.5 * std::max(extent.x(), extent.z());
+  // Ends of the ship first: the middle and the edges of a transom would be centre line and
+  // knuckles.
   if (is_aft || is_forward) {
     if (!is_border && !is_bar) return at_end(is_aft, EndPart::kEdge);
     if (is_border) return at_end(is_aft, is_central ? EndPart::kMiddle : EndPart::kRim);
@@ -133,6 +137,8 @@ class Grouping {
       const Link last = line.back();
       const int end = first(last.chain, !last.is_backward);
       const std::vector<int>& there = leaving_[key(last.chain, end)];
+      // Both chains that leave the place, in the line's own role: with more of them it does not go
+      // on.
       if (there.size() != 2) return;
       const int next = there[0] == last.chain ? there[1] : there[0];
       if (is_used_[next]) return;

@@ -198,6 +198,7 @@ FeatureMatch match_features(const FeatureGraph& first, const FeatureGraph& secon
 }
 
 double LengthMap::operator()(double length) const {
+  // Between inner ends, so that the first and the last stretch go on beyond theirs.
   const auto upper = std::upper_bound(first.begin() + 1, first.end() - 1, length);
   const auto k = upper - first.begin();
   const double share = (length - first[k - 1]) / (first[k] - first[k - 1]);
@@ -218,6 +219,7 @@ LengthMap length_map(const FeatureGraph& first, const FeatureGraph& second,
   for (std::size_t i = 1; i + 1 < f.nodes.size(); ++i) {
     const std::set<int>& here = at.at(f.nodes[i]);
     if (here.size() < 2) continue;
+    // Beyond those that were found: lengths rise on both lines.
     for (std::size_t j = next; j + 1 < g.nodes.size(); ++j) {
       if (at_other.at(g.nodes[j]) != here) continue;
       common.push_back({f.lengths[i], g.lengths[j]});

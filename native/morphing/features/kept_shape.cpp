@@ -45,6 +45,7 @@ std::vector<int> points_of(const surface::LimitSurface& hull, const FlatRegion& 
   std::set<int> found;
   for (int cell : region.cells) {
     for (int h = cell, k = 0; k < t.face_size(t.face(cell)); h = t.next(h), ++k) {
+      // Of faces that are curved elsewhere some points are off the plane.
       const double height = region.plane.height(hull.mesh().points()[t.origin(h)]);
       if (std::abs(height) <= kInPlane * hull.mesh().size()) found.insert(t.origin(h));
     }
@@ -84,6 +85,7 @@ std::vector<CommonFlat> common_flats(const surface::LimitSurface& hull,
       for (int v : points_of(hull, region)) {
         const surface::ClosestPoint foot = surface::closest_point(tree, limits[v]);
         const bool is_near = std::abs(counterpart.plane.height(limits[v])) <= near;
+        // In one flat at most: two planes at an angle would leave it a line alone.
         if (is_near && is_at(foot, counterpart, risen) && !taken.count(v)) flat.points.push_back(v);
       }
       if (flat.points.size() < 3) continue;

@@ -30,6 +30,7 @@ void add_turns(const std::vector<ProfilePlace>& places, std::vector<Landmark>& f
   bool is_forward = true;
   const ProfilePlace* farthest = &places.front();
   for (const ProfilePlace& place : places) {
+    // By hysteresis: waves of less than kTurnsBack do not turn it.
     const double beyond = (place.at.x() - farthest->at.x()) * (is_forward ? 1.0 : -1.0);
     if (beyond > 0.0) farthest = &place;
     if (beyond > -kTurnsBack) continue;

@@ -34,6 +34,7 @@ void measure(const LayoutTurns& turns, LayoutFit& fit) {
   if (fit.fold) return;
   const std::vector<int> turned = turns.turned(places, feet);
   if (turned.empty()) return;
+  // The same place of the first hull, on which folds of members are told, too.
   fit.fold = modelling::SurfacePlaces(fit.first, places.weights()).position(turned.front());
 }
 
@@ -100,6 +101,8 @@ void subdivide(surface::LimitSurface& surface) {
 // Whether the second hull, or one of the two subdivided, has the first one's topology: then they
 // are parents as they are.
 bool are_alike(const surface::LimitSurface& second, LayoutFit& fit) {
+  // Subdivision leaves a surface as it is: the coarser of two is brought to as many points as the
+  // other one has, or more.
   surface::LimitSurface first = fit.first, other = second;
   int subdivisions = 0;
   const bool is_coarser = size_of(first) < size_of(other);
@@ -178,6 +181,7 @@ LayoutFit fit_layout(const surface::LimitSurface& first, const surface::LimitSur
     found.shortfall = layout_shortfall(graph, other, found, options.tolerance);
     return found;
   }
+  // One way after the other, until one does: a fit takes seconds.
   std::vector<LayoutWay> ways{{.has_first_metric = true}, {}};
   if (has_bar_alone(graph, found.match)) ways.insert(ways.begin() + 1, {.holds_bar = true});
   std::optional<LayoutFit> best;

@@ -134,10 +134,12 @@ std::optional<Vector3d> LayoutFitting::fit(surface::LimitSurface& layout, const 
     boxed->set_points(in_box(first_.mesh().points(), graph.box, other_.box));
   }
   const surface::LimitSurface* const metric = boxed ? &*boxed : nullptr;
+  // A step from afar that would fold a member is left out, and the near ones begin before it.
   if (is_far) approach(layout, curves, limits, bounds, metric, kFarStages);
   std::vector<Vector3d> points = layout.mesh().points();
   limits.tied = common_squares(first_, layout, second_);
   for (const modelling::TiedPoint& tie : limits.tied) {
+    // Ties are of moves: what they keep square must be so to begin with.
     points[tie.point] += tie.direction.dot(points[tie.leader] - points[tie.point]) * tie.direction;
   }
   flats = common_flats(first_, layout, second_);
@@ -173,6 +175,7 @@ std::optional<Vector3d> LayoutFitting::approach(surface::LimitSurface& layout,
   options.fairness = 0.0;
   options.draw_border = true;
   options.progress = progress_;
+  // A layout that is folded already may come out of it: only a fold that is new ends the way.
   bool was_folded = fold_between(first_, layout).has_value();
   for (const FitStage& stage : stages) {
     options.stiffness = stage.stiffness;

@@ -35,6 +35,7 @@ std::map<int, Vector3d> feature_shifts(const FeatureGraph& graph, const FeatureG
         const double t = static_cast<double>(i);
         const Vector3d here = other.box.absolute(graph.box.relative(chain.evaluate(t, 0).point));
         const Vector3d there = g.curve.point_at(map(length_at(graph, f, k, t)));
+        // Where lines meet the first one decides.
         shifts.emplace(chain.vertices()[i], there - here);
       }
     }
@@ -72,6 +73,7 @@ std::vector<Vector3d> points_near(const surface::LimitSurface& surface, const Fe
     if (!shifts.count(v)) options.limits.limits.held.push_back({v, Vector3d::UnitY()});
   }
   const modelling::Reshape reshape(scaled, options);
+  // Nothing is wanted of the surface: the rest goes with what is prescribed by bending alone.
   const std::vector<Vector3d> none(reshape.places().count(), Vector3d::Zero());
   const modelling::Reshaped found = reshape.solve(none, prescribed);
   for (std::size_t i = 0; i < points.size(); ++i) points[i] += found.moves[i];

@@ -116,6 +116,7 @@ std::optional<std::vector<int>> renumbering(const mesh::ControlMesh& mesh,
         sum +=
             (box.relative(mesh.points()[v]) - other_box.relative(other.points()[w])).squaredNorm();
       }
+      // All ways are looked at first: the best one is taken again below.
       map.withdraw();
       if (sum >= least) continue;
       least = sum;
