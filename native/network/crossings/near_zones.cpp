@@ -67,6 +67,7 @@ std::optional<SegmentZone> near_segments(const Vector3d& first_start, const Vect
   const double s = nearest_on(a, b);
   if (b.distance(a.at(s)) > reach) return std::nullopt;
   const double t = nearest_on(b, a);
+  // The second's nearest place is that of the first's: along parallels t may be anywhere.
   return SegmentZone{
       limit(a, b, s, 0.0, reach), limit(a, b, s, 1.0, reach), s,
       limit(b, a, t, 0.0, reach), limit(b, a, t, 1.0, reach), b.nearest_share(a.at(s))};

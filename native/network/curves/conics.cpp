@@ -99,6 +99,7 @@ NurbsCurve arc_from_tangent(const Vector3d& start, const Vector3d& direction, co
   }
   // Angle between chord and tangent: half the arc's; the middle of the arc is up by a quarter's.
   const double rise = 0.5 * chord.norm() * std::tan(0.5 * std::atan2(sine, cosine));
+  // The middle of the arc is a third point of it.
   return arc_through(start, 0.5 * (start + end) + rise * across.normalized(), end);
 }
 

@@ -16,6 +16,7 @@ Eigen::RowVector4d blossom(const std::vector<double>& knots, int degree, Index s
     // Downwards, so that each point is made of those of the round before.
     for (int i = degree; i >= round; --i) {
       const double from = knots[span - degree + i], to = knots[span + 1 + i - round];
+      // Both knots are on different sides of the span, which has a width.
       const double share = (t - from) / (to - from);
       points.row(i) = (1.0 - share) * points.row(i - 1) + share * points.row(i);
     }

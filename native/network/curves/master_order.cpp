@@ -59,6 +59,7 @@ class Ordering {
         throw std::invalid_argument("The master of curve " + definition.name + " is not there.");
       }
       const State state = states_[static_cast<std::size_t>(master)];
+      // It is on the path, and so depends on the curve.
       if (state == State::kBegun) throw_circle(master);
       if (state == State::kNew) return master;
     }

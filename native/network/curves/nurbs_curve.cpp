@@ -83,6 +83,7 @@ Points3 NurbsCurve::evaluate(double t, int order) const {
 NurbsCurve NurbsCurve::reversed() const {
   std::vector<double> knots;
   for (auto knot = knots_.rbegin(); knot != knots_.rend(); ++knot) {
+    // Over the same parameters.
     knots.push_back(begin() + (end() - *knot));
   }
   return {degree_, std::move(knots), points_.colwise().reverse(), weights_.reverse()};
@@ -108,6 +109,7 @@ double NurbsCurve::nearest_parameter(const Vector3d& place) const {
     const CurvePiece piece = std::move(pieces.back());
     pieces.pop_back();
     const Eigen::AlignedBox3d box = piece.box();
+    // The piece lies in the box of its control points, as their weights are positive.
     if (box.squaredExteriorDistance(place) > least) continue;
     const double middle = 0.5 * (piece.low + piece.high);
     if (box.diagonal().norm() > small && middle > piece.low && middle < piece.high) {

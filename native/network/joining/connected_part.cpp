@@ -65,6 +65,7 @@ class Pruning {
           at = static_cast<int>(told.size());
           told.push_back({edge.curve, {node(free), node(root), 0.0}});
         }
+        // Handed on to the root: the edge that is to dangle there goes on with it.
         Dangling& dangling = told[static_cast<std::size_t>(at)].second;
         dangling.root = node(root);
         dangling.length += length_of(edge);

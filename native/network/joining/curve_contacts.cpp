@@ -73,6 +73,7 @@ class Contacting {
     }
     const CurvePlace start = place(curve, 0, pieces(curve).front().curve().begin());
     const CurvePlace end = place(curve, last, pieces(curve).back().curve().end());
+    // A closed curve begins and ends in one node.
     if ((start.place - end.place).norm() <= options_.tolerance) {
       contacts_.joined.push_back({start, end});
     }
@@ -96,6 +97,7 @@ class Contacting {
     for (const CurveTree& tree : pieces(curve)) {
       const NurbsCurve& c = tree.curve();
       Vector3d before = c.point(c.begin());
+      // By as many chords as stretches are measured with, to which it is compared.
       for (int i = 1; i <= 32; ++i) {
         const Vector3d next = c.point(c.begin() + (c.end() - c.begin()) * i / 32.0);
         length += (next - before).norm();

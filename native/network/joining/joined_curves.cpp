@@ -203,6 +203,7 @@ class Joining {
       const Vector3d& place = result_.nodes[static_cast<std::size_t>(node)];
       const auto first = marks_.begin() + static_cast<long>(i);
       const auto last = marks_.begin() + static_cast<long>(end);
+      // A curve visits a node once, however many marks it has there.
       const auto best = std::min_element(first, last, [&](const Mark& a, const Mark& b) {
         if (a.is_given != b.is_given) return a.is_given;
         return (a.at.place - place).norm() < (b.at.place - place).norm();

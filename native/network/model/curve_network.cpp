@@ -94,6 +94,7 @@ CurveNetwork CurveNetwork::with_curves(std::vector<NetworkCurve> curves) const {
 
 void CurveNetwork::join(const CurveNetwork* before) {
   const KnownContacts known = before == nullptr ? KnownContacts{} : known_from(*before);
+  // Kept, for a state of the network that follows from this one.
   contacts_ = std::make_shared<const ContactTable>(
       contact_table(shapes_, names(), options_.joining, known));
   NetworkFrame frame;
@@ -119,6 +120,7 @@ void CurveNetwork::join(const CurveNetwork* before) {
   }
   std::vector<bool> knuckles;
   for (const NetworkCurve& curve : curves_) knuckles.push_back(is_knuckle(curve));
+  // Last, as planes are parted where faces are beyond the border.
   frame.normals = edge_normals(frame.joined, frame.shapes, frame.order, frame.faces, knuckles,
                                options_.plane_angle);
   *frame_ = std::move(frame);

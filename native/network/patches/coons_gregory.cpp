@@ -30,6 +30,7 @@ Border border_of(const RibbonedSide& side, const Dual& t, bool is_turned, bool i
     SideJet jet = side(is_turned ? 1.0 - u : u);
     jet.slope *= along_sense;
     jet.ribbon *= across_sense;
+    // The mixed derivative turns with both.
     jet.ribbon_slope *= along_sense * across_sense;
     return jet;
   };

@@ -70,6 +70,8 @@ PatchPoint corner_blend(const std::vector<RibbonedSide>& sides,
     }
     // There two distances whose sum divides may both be zero, too.
     if (!(weight.value > 0.0)) continue;
+    // On side j u goes from 0, where the side before it ends, to 1, where the next one begins; v on
+    // the side before from 0, where side j begins, backwards to 1.
     const std::size_t next = (j + 1) % count, second_before = (j + count - 2) % count;
     const Dual u = d[before] / (d[before] + d[next]), v = d[j] / (d[second_before] + d[j]);
     sum = sum + weight * corner_patch({sides[j], sides[before]}, u, v);

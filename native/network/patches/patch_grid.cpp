@@ -46,6 +46,7 @@ PatchGrid ring_grid(const std::vector<Vector2d>& domain, int count) {
                                                : Vector2d(centre + reach * (border - centre)));
         grid.triangles.push_back(
             {number(ring, side, i), number(ring, side, i + 1), number(ring - 1, side, i)});
+        // On each side a ring has one triangle less that stands on the ring within.
         if (i + 1 < ring) {
           grid.triangles.push_back({number(ring, side, i + 1), number(ring - 1, side, i + 1),
                                     number(ring - 1, side, i)});

@@ -24,6 +24,7 @@ Vector3d way_out(const NetworkFrame& frame, const RegionEdge& side) {  // at its
 
 bool turns(const NetworkFrame& frame, const RegionEdge& side, const RegionEdge& next) {
   const Vector3d to = way_out(frame, side), from = way_in(frame, next);
+  // By sine and cosine: of small angles either alone tells less.
   return std::atan2(to.cross(from).norm(), to.dot(from)) > kPassing;
 }
 

@@ -51,6 +51,7 @@ double spread_seen(const Vector3d& normal, const std::vector<Vector3d>& directio
     least_length = std::min(least_length, normal.cross(direction).norm());
   }
   std::ranges::sort(angles);
+  // Around the circle, from the last one to the first.
   double least = angles.front() + kTurn - angles.back();
   for (std::size_t i = 1; i < angles.size(); ++i) {
     least = std::min(least, angles[i] - angles[i - 1]);
@@ -110,6 +111,7 @@ class Ordering3d {
       for (const EdgeEnd& end : ends) {
         directions.push_back(shape_of(shapes_, end).tangent_from(end.is_start));
       }
+      // Zero where edges leave it open: such nodes have what is brought to them.
       order_.normals.push_back(view_of(directions));
     }
     spread_senses();

@@ -38,6 +38,7 @@ double turn_along(const JoinedCurves& joined, const std::vector<EdgeShape>& shap
 double angle_around(const Vector3d& normal, const Vector3d& from, const Vector3d& to) {
   const Vector3d right = (from - normal.dot(from) * normal).normalized();
   const double angle = std::atan2(to.dot(normal.cross(right)), to.dot(right));
+  // Faces may have more than half a turn at a node.
   return angle < 0.0 ? angle + 2.0 * std::numbers::pi : angle;
 }
 

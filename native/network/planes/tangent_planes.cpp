@@ -70,6 +70,7 @@ class Planes {
   }
 
   Vector3d plane_across(const std::vector<Vector3d>& edges) const {
+    // The line on which both edges are but for a bend.
     const Vector3d along = (edges.front() - edges.back()).normalized();
     return (star_.outwards - star_.outwards.dot(along) * along).normalized();
   }
@@ -126,6 +127,8 @@ TangentPlanes tangent_planes(const NodeStar& star, double limit) {
       // Of one curve rather than of two.
       if (k > i && best) continue;
       std::vector<bool> creases = star.is_crease;
+      // All ends of the curve: a knuckle that comes to a node goes on beyond it along its curve.
+      // Where k = i it is one curve.
       for (std::size_t end : curves[i]) creases[end] = true;
       for (std::size_t end : curves[k]) creases[end] = true;
       TangentPlanes tried = Planes(star, std::move(creases)).run();

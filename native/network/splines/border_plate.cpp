@@ -70,6 +70,7 @@ std::optional<BorderPlate> BorderPlate::within(const std::vector<PlateSample>& b
   }
   plate.axes_.col(2) = up;
   plate.axes_.col(0) = up.unitOrthogonal();
+  // Right-handed: in the plane the border runs counterclockwise, as it does seen from outside.
   plate.axes_.col(1) = up.cross(plate.axes_.col(0));
   double reach = 0.0;
   for (const PlateSample& s : border) reach = std::max(reach, (s.point - plate.origin_).norm());
@@ -155,6 +156,7 @@ PatchPoint BorderPlate::at(const Vector2d& place) const {
       height += weight * radial5(d);
       slope += weight * radial5_slope(d);
     } else {
+      // As in solve(): by the source's own place.
       height -= weight * source.across.dot(radial5_slope(d));
       slope -= weight * radial5_bend(d, source.across);
     }

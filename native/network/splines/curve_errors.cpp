@@ -29,6 +29,7 @@ std::vector<double> edge_errors(const NetworkFrame& frame, const EdgeSplines& sp
   std::vector<double> errors;
   for (std::size_t e = 0; e < splines.fitted.size(); ++e) {
     const BSplineCurve& spline = splines.fitted[e].curve;
+    // A cubic has three points more than spans.
     const int count = kMeasuredOfSpan * (static_cast<int>(spline.points.size()) - 3);
     double worst = 0.0;
     for (int i = 0; i < count; ++i) {

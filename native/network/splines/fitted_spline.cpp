@@ -55,6 +55,7 @@ void make_simple(BSplineCurve& curve, double t, double rounding) {
   auto& points = curve.points;
   const Vector3d one = (points[s - 2] - (1.0 - low) * points[s - 3]) / low;
   const Vector3d other = (points[s - 1] - high * points[s]) / (1.0 - high);
+  // By so much the second point would be off, were the knot put in again.
   if (!((1.0 - high) * (one - other).norm() <= rounding)) return;
   points[s - 2] = one;
   points.erase(points.begin() + static_cast<std::ptrdiff_t>(s) - 1);

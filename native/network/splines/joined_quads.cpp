@@ -23,6 +23,7 @@ class QuadJoiner {
         for (const QuadBorder& border : borders) collect(border);
       }
     }
+    // After all cuts, by which edges and vertices are counted.
     number();
     for (const PlacedQuads& region : regions_) add(region);
     set_.vertex_count = vertex_count_;

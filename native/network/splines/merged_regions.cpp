@@ -37,6 +37,7 @@ class RegionMerger {
 
  private:
   int beside(const RegionEdge& side, bool is_own) const {
+    // To the left of the edge as its region has it, or to its right.
     const std::size_t against = side.is_along == is_own ? 0 : 1;
     return frame_.faces.region_of_side[2 * static_cast<std::size_t>(side.edge) + against];
   }
@@ -88,6 +89,7 @@ class RegionMerger {
       }
     }
     if (border.empty()) return std::nullopt;
+    // The edges that stay, one after the other: if all are met there is one way around.
     std::vector<RegionEdge> loop{border.front()};
     for (RegionEdge side = after(loop.front());
          side.edge != loop.front().edge || side.is_along != loop.front().is_along;

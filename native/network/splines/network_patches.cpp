@@ -21,6 +21,7 @@ void append(std::vector<double>& key, const Vector3d& value) {
 
 // All that a region's patches depend on, but for numbers of edges.
 std::vector<double> key_of(const RegionInput& input, const MergedRegion& region) {
+  // Bit by bit: what differs by rounding is made again.
   std::vector<double> key{input.tolerance, static_cast<double>(input.spans)};
   const NetworkFrame& frame = *input.frame;
   for (int edge : region.references) {

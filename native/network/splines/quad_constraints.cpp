@@ -108,6 +108,7 @@ bool meet_normals(BSplinePatch& patch, const std::array<QuadSide, 4>& sides,
   Eigen::MatrixXd form(count, count);
   Eigen::VectorXd excess(count);
   for (Eigen::Index q = 0; q < count; ++q) {
+    // One solution a constraint does for all three coordinates.
     const NormalConstraint& one = constraints[static_cast<std::size_t>(q)];
     answers.push_back(inverse(as_matrix(patch, one)));
     excess[q] = one.excess(patch);

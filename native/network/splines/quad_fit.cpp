@@ -41,6 +41,7 @@ struct Samples {
 BSplinePatch with_borders(const std::array<QuadSide, 4>& sides, int spans) {
   BSplinePatch patch;
   const auto knots_of = [&](std::size_t k) {
+    // Each of two opposite sides is met exactly over the knots of both.
     const std::vector<double> both =
         united_knots(sides[k].curve.knots, sides[k + 2].curve.reversed().knots);
     return united_knots(both, uniform_knots(spans));

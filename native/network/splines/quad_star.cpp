@@ -12,6 +12,7 @@ QuadSide part_of(const SideSpline& side, double begin, double end, const Vector3
                  const Vector3d& to) {
   QuadSide part{side.curve().part(begin, end),
                 [&side, begin, end](double t) { return side.normal(begin + t * (end - begin)); }};
+  // But for rounding they are: neighbours have these places bit for bit.
   part.curve.points.front() = from;
   part.curve.points.back() = to;
   return part;

@@ -139,6 +139,7 @@ class CurveFit {
   void add(int row_point, int column_point, double weight) {
     const int row = inner_number(patch_, row_point), column = inner_number(patch_, column_point);
     if (row < 0) return;
+    // Points of the border are known.
     if (column < 0) {
       right_.segment<3>(3 * row) -=
           weight * patch_.control_points[static_cast<std::size_t>(column_point)];
@@ -234,6 +235,7 @@ double furthest_point(const BSplinePatch& patch, const Reference& curve, int par
 
 ReferenceFit fit_with_spans(const std::array<QuadSide, 4>& sides, const QuadTarget& start,
                             const std::vector<Reference>& curves, int spans) {
+  // With the borders, and what stays where there is no solution.
   ReferenceFit fit{fitted_quad(sides, start, spans), {}};
   BSplinePatch& patch = fit.quad.patch;
   // With the knots of its borders a patch has more spans than were asked for.

@@ -52,6 +52,7 @@ NodePlaces places_on_sides(const NetworkFrame& frame, const std::vector<RegionSi
     for (std::size_t i = 0; i < sides[k].size(); ++i) {
       const CurveEdge& edge = frame.joined.edges[static_cast<std::size_t>(sides[k][i].edge)];
       const double t = ends[i];
+      // Sides run around the square: the third against u, the fourth against v.
       const Vector2d on[] = {{t, 0.0}, {1.0, t}, {1.0 - t, 1.0}, {0.0, 1.0 - t}};
       places[sides[k][i].is_along ? edge.from : edge.to] = on[k];
     }

@@ -205,6 +205,7 @@ RegionQuads region_quads(const RegionInput& input, const MergedRegion& region) {
     }
   }
   if (auto quads = plate_quads(input, splines)) return std::move(*quads);
+  // A TransfinitePatch of two sides has a domain of three, which are not the region's.
   if (sides.size() == 2) {
     throw std::invalid_argument(
         "Its border is no graph over a plane, or turns back: divide it by a curve.");

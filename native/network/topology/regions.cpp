@@ -91,6 +91,7 @@ bool Drawing::comes_first(int node, EdgeEnd end, EdgeEnd other, int corner) cons
   auto at = static_cast<std::size_t>(std::ranges::find_if(ends, is_it) - ends.begin());
   for (std::size_t step = 1; step < ends.size(); ++step) {
     const std::size_t number = end_number(ends[(at + ends.size() - step) % ends.size()]);
+    // Clockwise, which of both is met first.
     if (number == end_number(other)) return true;
     if (half_of_end_[number] == corner) return false;
   }
@@ -98,6 +99,7 @@ bool Drawing::comes_first(int node, EdgeEnd end, EdgeEnd other, int corner) cons
 }
 
 void Drawing::keep(int edge, const Shells::NewEdge& drawn, bool is_along) {
+  // `half` leaves the node that it was drawn from: the edge's start, if it was drawn along.
   const auto start = 2 * static_cast<std::size_t>(edge);
   half_of_end_[start] = is_along ? drawn.half : drawn.mate;
   half_of_end_[start + 1] = is_along ? drawn.mate : drawn.half;

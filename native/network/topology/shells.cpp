@@ -180,6 +180,7 @@ int Shells::kill_edge_make_loop(int half) {
   const int inner = loops_.add({.face = face});
   faces_[face].inner.push_back(inner);
   remove_edge(half);
+  // What comes back to the beginning of `half` keeps the loop; what goes on from its end is inner.
   close_ring(coming.next == half, coming.next, going.previous, going.vertex, going.loop);
   close_ring(going.next == other, going.next, coming.previous, coming.vertex, inner);
   return inner;
@@ -322,6 +323,7 @@ std::vector<int> Shells::connected_faces(int face) const {
       found.push_back(beyond);
     }
   };
+  // By inner loops, too: it is these that hold the rings of a face together.
   for (std::size_t i = 0; i < found.size(); ++i) {
     walk(faces_[found[i]].outer);
     for (int loop : faces_[found[i]].inner) walk(loop);
