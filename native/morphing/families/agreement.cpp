@@ -118,6 +118,7 @@ std::vector<std::string> differences(const std::vector<surface::LimitSurface>& p
     }
     const std::size_t before = found.size();
     compare_counts(first, other, parent, found);
+    // Elements go by numbers, of which there must be as many.
     if (found.size() == before) compare_elements(first, other, parent, found);
   }
   return found;

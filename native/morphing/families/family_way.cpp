@@ -29,6 +29,7 @@ class WayBody {
         way_(way),
         surface_(family.parents()[0]),
         body_(moved(0.0), mirrored, openings) {}
+  // The body refers to this object's surface.
   WayBody(const WayBody&) = delete;
   WayBody& operator=(const WayBody&) = delete;
 
@@ -58,6 +59,7 @@ class WayBody {
 
 // Above all of a surface.
 analysis::Plane plane_above(const surface::LimitSurface& surface) {
+  // The surface lies within the hull of its control points.
   double top = surface.mesh().points().front().z();
   for (const Vector3d& p : surface.mesh().points()) top = std::max(top, p.z());
   return {Vector3d::UnitZ(), top + 1e-3 * surface.mesh().size()};
@@ -97,6 +99,7 @@ WholeVolume::WholeVolume(const HullFamily& family, const FamilyWay& way, bool mi
     body.go_to(kNodes[i]);
     const analysis::Immersion whole = body.below(plane_above(body.surface()));
     volumes[i] = whole.volume;
+    // Moments are polynomials, centres quotients of them.
     moments[i] = whole.volume * whole.centre_of_buoyancy;
   }
   Eigen::Matrix<double, 4, 3> of_volume = Eigen::Matrix<double, 4, 3>::Zero();
@@ -112,6 +115,7 @@ WholeVolume::WholeVolume(const HullFamily& family, const FamilyWay& way, bool mi
     const double off = std::abs(volume_at(kNodes[i]) - volumes[i]);
     departure_ = std::max(departure_, off / std::abs(volumes[i]));
   }
+  // Five nodes make the quartics: only the sixth tells of them.
   const double t = kNodes.back();
   const Vector3d centre = moments.back() / volumes.back();
   const double size = family.parents()[0].mesh().size();
@@ -150,6 +154,7 @@ std::optional<double> t_of_displacement(const HullFamily& family, const FamilyWa
   WayBody body(family, way, water.mirrored, water.openings);
   const auto excess = [&](double t) {
     body.go_to(t);
+    // The draft goes along with the member.
     const double draft = (1.0 - t) * water.drafts[0] + t * water.drafts[1];
     const analysis::Plane plane = analysis::water_plane({draft, water.trim, 0.0, water.draft_at});
     return body.below(plane).volume - wanted;

@@ -63,6 +63,7 @@ std::vector<Vector3d> HullFamily::points(const Eigen::MatrixXd& weights) const {
   }
   std::vector<Vector3d> points(point_count());
   for (int i = 0; i < point_count(); ++i) {
+    // Where sums are off 1 members would be drawn towards the origin, or from it.
     if (!(std::abs(weights.row(i).sum() - 1.0) <= kWeightSum)) {
       throw std::invalid_argument("The weights of point " + std::to_string(i) + " sum to " +
                                   std::to_string(weights.row(i).sum()) + "; they must sum to 1.");

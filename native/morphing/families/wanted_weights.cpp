@@ -42,6 +42,7 @@ Eigen::VectorXd shares(const std::vector<MoveMode>& modes, const std::vector<Vec
   for (std::size_t k = 0; k < modes.size(); ++k) {
     columns.col(static_cast<Eigen::Index>(k)) = coordinates(modes[k]);
   }
+  // Parents may depend on one another, as three in a row do: of all shares the least.
   return mesh::least_norm_solution(columns, coordinates(moves));
 }
 

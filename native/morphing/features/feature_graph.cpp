@@ -101,6 +101,7 @@ class Grouping {
            const std::vector<int>& bodies)
       : curves_(curves), roles_(roles), bodies_(bodies), is_used_(curves.size(), 0) {
     for (int c = 0; c < static_cast<int>(curves.size()); ++c) {
+      // Closed chains are lines by themselves.
       if (curves[c].closed()) continue;
       for (bool is_backward : {false, true}) leaving_[key(c, first(c, is_backward))].push_back(c);
     }
@@ -169,6 +170,7 @@ bool is_in_order(const Vector3d& from, const Vector3d& to) {
 }
 
 std::vector<FieldCurve::Arc> arcs_of(const CreaseCurve& curve, bool is_backward) {
+  // As cubics by their control points: backwards these, and the order of the cubics.
   std::vector<FieldCurve::Arc> arcs = FieldCurve::of_spline(curve.spline()).arcs();
   if (!is_backward) return arcs;
   std::reverse(arcs.begin(), arcs.end());
@@ -267,6 +269,7 @@ FeatureGraph feature_graph(const surface::LimitSurface& surface) {
     graph.features.push_back(
         feature_of(graph.curves, std::move(line), roles[chain], body_of_chain[chain]));
   }
+  // By places, so that numbers of features do not follow those of points.
   const auto order = [](const Feature& f) {
     const Vector3d begin = f.curve.point_at(0.0);
     return std::tuple(f.body, static_cast<int>(f.role), begin.x(), begin.z(), begin.y());

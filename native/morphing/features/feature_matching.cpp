@@ -90,6 +90,7 @@ class Matching {
         if (is_only || distance <= kFarthestPair) candidates.emplace_back(distance, i, j);
       }
     }
+    // The nearest of all first, then of what is left; equals by their numbers.
     std::sort(candidates.begin(), candidates.end());
     for (const auto& [distance, i, j] : candidates) {
       if (!is_paired_[i] && !is_taken_[j]) add(i, j, false);
@@ -142,6 +143,7 @@ using Meeting = std::map<int, std::set<int>>;
 Meeting meeting_features(const FeatureGraph& graph, const std::map<int, int>& numbers) {
   Meeting found;
   for (int i = 0; i < static_cast<int>(graph.features.size()); ++i) {
+    // Lines without counterpart do not count: what is left is to be the same on both hulls.
     const auto number = numbers.find(i);
     if (number == numbers.end()) continue;
     for (int node : graph.features[i].nodes) found[node].insert(number->second);
@@ -173,6 +175,7 @@ std::vector<int> paired_bodies(const FeatureGraph& first, const FeatureGraph& se
   std::vector<std::tuple<double, int, int>> candidates;
   for (int i = 0; i < first.body_count; ++i) {
     for (int j = 0; j < second.body_count; ++j) {
+      // By both corners, so that extent and place count alike.
       const double off = (boxes[i].low - others[j].low).squaredNorm() +
                          (boxes[i].high - others[j].high).squaredNorm();
       candidates.emplace_back(off, i, j);

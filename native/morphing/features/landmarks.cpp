@@ -48,6 +48,7 @@ void add_keel(const std::vector<ProfilePlace>& places, std::vector<Landmark>& fo
   double low = places.front().at.z();
   for (const ProfilePlace& place : places) low = std::min(low, place.at.z());
   const auto is_level = [&](const ProfilePlace& place) { return place.at.z() <= low + kLevel; };
+  // From the first level place to the last: what is between may rise.
   const auto begin = std::find_if(places.begin(), places.end(), is_level);
   const auto end = std::find_if(places.rbegin(), places.rend(), is_level);
   if (end->at.x() - begin->at.x() < kLevelKeel) return;
@@ -86,6 +87,7 @@ std::vector<std::array<double, 2>> common_landmarks(const FeatureGraph& first, c
        {LandmarkKind::kArch, LandmarkKind::kSternEnd, LandmarkKind::kKeelBegin,
         LandmarkKind::kKeelEnd, LandmarkKind::kBulbTip, LandmarkKind::kBulbNeck}) {
     const std::vector<double> here = lengths_of(own, kind), there = lengths_of(others, kind);
+    // As often on both lines, else it is open which is which.
     if (here.size() != there.size()) continue;
     for (std::size_t i = 0; i < here.size(); ++i) pairs.push_back({here[i], there[i]});
   }

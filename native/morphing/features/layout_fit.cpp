@@ -44,6 +44,7 @@ std::optional<surface::LimitSurface> renumbered_as(const surface::LimitSurface& 
   const std::optional<std::vector<int>> images = renumbering(first.mesh(), second.mesh());
   if (!images) return std::nullopt;
   std::vector<Vector3d> points;
+  // Images are the second hull's vertices, by the first one's numbers.
   for (int image : *images) points.push_back(second.mesh().points()[image]);
   surface::LimitSurface surface = first;
   surface.set_points(std::move(points));

@@ -71,6 +71,7 @@ std::vector<modelling::FitBound> bounds_of_half(const surface::LimitSurface& fir
   std::vector<modelling::FitBound> bounds;
   const std::vector<Vector3d>& points = first.mesh().points();
   for (std::size_t i = 0; i < points.size(); ++i) {
+    // Towards the side on which the second hull is, which is the first one's, too.
     const double own = side * points[i].y();
     if (own <= kOnCentrePlane * first.mesh().size()) continue;
     bounds.push_back(

@@ -61,6 +61,7 @@ std::vector<int> LayoutTurns::turned(const modelling::SurfacePlaces& layout,
     const Vector3d& normal = layout.normal(k);
     if (!(feet[k].distance <= kNearHull * tree_.size()) || normal.isZero(0.0)) continue;
     const Vector3d there = hull_.normal(feet[k].cell, feet[k].u, feet[k].v);
+    // Few places are left, for which all pieces are gone through.
     if (there.isZero(0.0) || normal.dot(there) > 0.0) continue;
     if (!is_beside_its_face(layout.position(k), normal, feet[k].distance)) found.push_back(k);
   }

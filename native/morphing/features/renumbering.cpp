@@ -69,6 +69,7 @@ class Isomorphism {
         from_.face_size(from_.face(a)) != to_.face_size(to_.face(b))) {
       return false;
     }
+    // A vertex is reached by each of its half-edges, and must go to one place by all.
     const int v = from_.origin(a), w = to_.origin(b);
     if (vertex_image_[v] == kFree) {
       if (is_vertex_taken_[w] || from_.kind(v) != to_.kind(w)) return false;

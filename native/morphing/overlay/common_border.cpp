@@ -12,6 +12,7 @@ constexpr double kSamePlace = 1e-9;  // of the side; border edges are ten times 
 
 // Less than 0 where `a` comes first, 0 where both are one.
 int order_of(const BorderPoint& a, const BorderPoint& b) {
+  // Corners are points of both discs, and so no side's last point is one with the next one's first.
   if (a.side != b.side) return a.side < b.side ? -1 : 1;
   if (std::abs(a.along - b.along) < kSamePlace) return 0;
   return a.along < b.along ? -1 : 1;

@@ -18,6 +18,7 @@ class Tracer {
         is_found_(t_.vertex_count(), 0),
         is_walked_(t_.edge_count(), 0) {
     traces_.locations.resize(t_.vertex_count());
+    // All walks begin from what is known of the border.
     for (const CommonBorderPoint& at : border.points) {
       const int point = at.points[disc], other = at.points[1 - disc];
       if (point < 0) continue;
@@ -55,6 +56,7 @@ class Tracer {
     const int from = t_.origin(h), to = t_.origin(t_.next(h));
     const bool is_border = t_.twin(t_.outgoing(to)) < 0;
     const int begin = static_cast<int>(traces_.stretches.size());
+    // The border is a chain off the edges' lines: signs do not tell where a walk meets it.
     walk(ground_, traces_.locations[from], places_[from], places_[to],
          is_border ? &traces_.locations[to] : nullptr, traces_.stretches);
     const int count = static_cast<int>(traces_.stretches.size()) - begin;

@@ -30,6 +30,7 @@ class Walker {
         leave_triangle(from.index);
     }
     while (!ended_) {
+      // Each stretch but the last ends on a point or an edge, from where the next one goes on.
       const Location at = stretches_.back().end;
       if (at.within == Within::kPoint) {
         leave_point(at.index);
@@ -102,6 +103,7 @@ class Walker {
   // Out of the triangle of h over h, which begins to the right of the line and ends to its left.
   void leave_through(int h) {
     if (t_.twin(h) < 0) return end_within(t_.face(h));
+    // As the edge runs from right to left, q within the triangle is to its left.
     const double left = orientation(places_[t_.origin(h)], places_[target(h)], q_);
     if (left > 0.0) return end_within(t_.face(h));
     if (left == 0.0) return end_at({t_.face(h), -1, {Within::kEdge, h}});
@@ -110,6 +112,7 @@ class Walker {
 
   // Within a triangle towards one of its corners, which is on the line.
   void reach(int point, int triangle) {
+    // How far the corner is ahead of q; then, by exact signs, it is q itself where that is zero.
     const double beyond = ahead(q_, places_[point]);
     if (beyond > 0.0) return end_within(triangle);
     const Stretch stretch{triangle, -1, {Within::kPoint, point}};

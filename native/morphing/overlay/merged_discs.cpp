@@ -33,6 +33,7 @@ void add_inner_sides(const DiscPair& maps, const EdgeTraces& traces, int disc,
     for (int i = path.begin; i < path.begin + path.count; ++i) {
       const Stretch& stretch = traces.stretches[i];
       const bool is_last = i + 1 == path.begin + path.count;
+      // A walk ends in its own edge's end, passes points of the other disc, and crosses edges.
       const int to = is_last ? merged.numbers[disc][own.origin(own.next(h))]
                      : stretch.end.within == Within::kPoint
                          ? merged.numbers[1 - disc][stretch.end.index]
@@ -114,6 +115,7 @@ MergedDiscs::MergedDiscs(const DiscMap& first, const DiscMap& second) {
             [](const PartSide& a, const PartSide& b) { return a.triangles < b.triangles; });
   const PartSide* const end = sides.data() + sides.size();
   for (const PartSide* side = sides.data(); side != end;) {
+    // Sides of one pair of triangles are those of their common part.
     const PartSide* next = side;
     while (next != end && next->triangles == side->triangles) ++next;
     // A part is convex, and has no corner on a side: any fan will do.

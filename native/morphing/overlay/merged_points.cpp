@@ -93,6 +93,7 @@ class PlacedDisc {
 
 // How far along an edge it crosses another one.
 double crossing_along(const MappedEdge& edge, const MappedEdge& other) {
+  // Distances of both ends from the other edge's line, times its length.
   const double before = std::abs(orientation(other.places[0], other.places[1], edge.places[0]));
   const double after = std::abs(orientation(other.places[0], other.places[1], edge.places[1]));
   return before / (before + after);
@@ -137,6 +138,7 @@ MergedPositions merged_positions(const std::array<const DiscMap*, 2>& maps,
     for (std::size_t i = 0; i < traces[disc].locations.size(); ++i) {
       const int number = merged.numbers[disc][i];
       const Vector2d& place = border.places[disc][i];
+      // Points of both discs are written twice, the same each time.
       positions.places[number] = place;
       positions.points[disc][number] = maps[disc]->disc().points()[i];
       positions.points[1 - disc][number] =

@@ -20,6 +20,7 @@ DiscMap::DiscMap(const TriangleDisc& disc, std::vector<int> corners, ConvexPolyg
                                 " corners, the polygon " + std::to_string(polygon_.side_count()) +
                                 ": give it as many.");
   }
+  // Lengths along a side are shares of it: the border keeps its proportions.
   for (const BorderPoint& at : border_) places_[at.point] = polygon_.on_side(at.side, at.along);
   place_inner_points(kind);
   check_triangles();
@@ -56,6 +57,7 @@ void DiscMap::place_inner_points(WeightKind kind) {
     throw std::invalid_argument(
         "Inner points hang together with the border by triangles without area alone: mend these.");
   }
+  // Both coordinates with one factorisation.
   const Eigen::MatrixX2d solution = factors.solve(right);
   for (int row = 0; row < size; ++row) places_[inner[row]] = solution.row(row).transpose();
 }

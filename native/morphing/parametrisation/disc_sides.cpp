@@ -68,6 +68,7 @@ double length_of(const TriangleDisc& disc, const std::vector<int>& side) {
 // Of each point the side that begins there or has it within it, or -1; a corner ends another one.
 bool on_one_side(const std::vector<int>& side_of, const std::vector<char>& is_corner, int sides,
                  int a, int b) {
+  // Inner points are on no side.
   const int s = side_of[a], u = side_of[b];
   if (s < 0 || u < 0) return false;
   return s == u || (is_corner[b] && u == (s + 1) % sides) || (is_corner[a] && s == (u + 1) % sides);
@@ -146,6 +147,7 @@ SplitDisc split_chords(const TriangleDisc& disc, const std::vector<int>& corners
     if (t.twin(h) < 0 || !t.is_edge_front(h)) continue;
     const int a = t.origin(h), b = t.origin(t.next(h));
     if (!on_one_side(side_of, is_corner, static_cast<int>(corners.size()), a, b)) continue;
+    // By edges: both triangles of one have the same point.
     middle[t.edge(h)] = static_cast<int>(points.size());
     points.push_back(0.5 * (disc.points()[a] + disc.points()[b]));
     split.split_edges.push_back({a, b});

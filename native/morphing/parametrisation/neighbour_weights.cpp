@@ -48,6 +48,7 @@ std::vector<double> flat_directions(const Star& star, int point) {
   }
   const double scale = 2.0 * std::numbers::pi / directions.back();
   for (double& direction : directions) direction *= scale;
+  // No gap is left by rounding before the first edge.
   directions.back() = 2.0 * std::numbers::pi;
   return directions;
 }
@@ -80,6 +81,7 @@ std::vector<double> shape_preserving(const Star& star, int point) {
                    Vector2d(std::cos(directions[k]), std::sin(directions[k])));
   }
   std::vector<double> weights(count, 0.0);
+  // Opposite to each of three are both others: all means are one.
   if (count == 3) {
     add_barycentric(flat, {0, 1, 2}, 1, weights);
     return weights;
@@ -137,6 +139,7 @@ std::vector<NeighbourWeight> neighbour_weights(const TriangleDisc& disc, int poi
   const Star star = star_of(disc, point);
   const std::vector<double> weights = weights_of(star, point, kind);
   double sum = 0.0;
+  // Barycentric ones sum to 1 but for rounding; the others to anything.
   for (double weight : weights) sum += weight;
   std::vector<NeighbourWeight> result;
   for (int k = 0; k < star.size(); ++k) {

@@ -73,6 +73,7 @@ DiscPlace PlaceSearch::find(const Vector2d& place) const {
   while (!waiting.empty()) {
     const Node& node = nodes_[waiting.back()];
     waiting.pop_back();
+    // Boxes of neighbours overlap, so that several leaves may have to be asked.
     if (!node.box.contains(place)) continue;
     if (node.left >= 0) {
       waiting.push_back(node.left);

@@ -42,6 +42,7 @@ void check_one_part(const mesh::Topology& t) {
     const int h = t.first_half_edge(waiting.back());
     waiting.pop_back();
     for (int side = h; side < h + 3; ++side) {
+      // Over edges alone: what meets in a point is not joined.
       if (t.twin(side) < 0 || seen[t.face(t.twin(side))]) continue;
       seen[t.face(t.twin(side))] = 1;
       waiting.push_back(t.face(t.twin(side)));
