@@ -18,6 +18,7 @@ struct Approach {
   Matrix2d bend;
 };
 
+// Both parameters at once; one that leads beyond its curve's end is left out while it does.
 class PairDescent {
  public:
   PairDescent(const NurbsCurve& first, const NurbsCurve& second) : first_(first), second_(second) {

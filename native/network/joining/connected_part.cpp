@@ -114,6 +114,7 @@ class Pruning {
       places[static_cast<std::size_t>(part)] = node(joined_.edges[e].from);
     }
     for (std::size_t part = 0; part < sizes.size(); ++part) {
+      // One sentence a part; the largest has none.
       if (!curves[part].empty()) name_apart(curves[part], places[part]);
     }
   }

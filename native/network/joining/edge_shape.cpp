@@ -40,6 +40,7 @@ EdgeShape::EdgeShape(const CurveEdge& edge, const NurbsCurve& piece, const Vecto
       from_shift_(from - piece.point(edge.low)),
       to_shift_(to - piece.point(edge.high)),
       length_(0.0) {
+  // The length of what is between the nodes, not of the curve's part.
   Vector3d before = from;
   for (int i = 1; i <= kChords; ++i) {
     const Vector3d next = evaluate(static_cast<double>(i) / kChords, 0).row(0);

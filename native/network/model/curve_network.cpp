@@ -234,6 +234,7 @@ void CurveNetwork::check_region(int region) const {
   }
   for (const RegionSide& side : sides) {
     for (const RegionEdge& edge : side) {
+      // Ribbons are along and across the side's direction.
       if (!has_halt_[static_cast<std::size_t>(edge.edge)]) continue;
       throw std::invalid_argument(
           "Region " + std::to_string(region) + " has an edge of curve " +

@@ -184,6 +184,7 @@ double onwards(const NetworkFrame& frame, const RegionSide& side, const RegionSi
 
 std::vector<RegionSide> with_short_sides_joined(const NetworkFrame& frame,
                                                 std::vector<RegionSide> sides) {
+  // One after the other, for what is joined may be short no longer.
   while (sides.size() > 4) {
     std::vector<double> lengths;
     for (const RegionSide& side : sides) lengths.push_back(side_length(frame, side));

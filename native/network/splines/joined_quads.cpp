@@ -67,6 +67,7 @@ class QuadJoiner {
 
   int vertex_of(int edge, std::size_t cut) const {
     const auto at = static_cast<std::size_t>(edge);
+    // Ends of edges are nodes, which other edges have, too.
     if (cut == 0) return frame_.joined.edges[at].from;
     if (cut + 1 == cuts_[at].size()) return frame_.joined.edges[at].to;
     return first_vertex_[at] + static_cast<int>(cut) - 1;

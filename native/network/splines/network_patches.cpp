@@ -50,6 +50,7 @@ class PatchMaker {
   PatchMaker(const CurveNetwork& network, double tolerance, int spans, const NetworkPatches* before)
       : network_(network),
         edges_(edge_splines(network.frame(), tolerance)),
+        // Refers to the splines, which are made before it.
         input_{network.shared_frame(), edges_, tolerance, spans},
         before_(before),
         known_(std::make_shared<NetworkPatches::Known>()),

@@ -77,6 +77,7 @@ class InnerFit {
 
   void fit(BSplinePatch& patch, const QuadTarget& target) const {
     const Eigen::Index rows = u_.basis.rows(), columns = v_.basis.rows();
+    // A matrix for each coordinate, with a row for each sample of u and a column for each of v.
     std::array<Eigen::MatrixXd, 3> wanted;
     for (auto& part : wanted) part.resize(rows, columns);
     for (Eigen::Index i = 0; i < rows; ++i) {

@@ -155,6 +155,7 @@ class CurveFit {
     std::array<double, 16> shares;
     for (int a = 0; a < 16; ++a) {
       const auto at = static_cast<std::size_t>(a);
+      // Four by four, those of v one after the other.
       numbers[at] = (u.first + a / 4) * patch_.count_v + v.first + a % 4;
       shares[at] = u.rows(0, a / 4) * v.rows(0, a % 4);
     }
@@ -178,6 +179,8 @@ class CurveFit {
         const auto [low_v, high_v] = near(j, patch_.count_v);
         for (int k = low_u; k <= high_u; ++k) {
           for (int l = low_v; l <= high_v; ++l) {
+            // Integrals over the square of products of functions of u and of v are products of
+            // integrals.
             const double energy = along_u_.third(i, k) * along_v_.mass(j, l) +
                                   along_u_.mass(i, k) * along_v_.third(j, l);
             add(i * patch_.count_v + j, k * patch_.count_v + l, share * energy);

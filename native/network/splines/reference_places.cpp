@@ -136,6 +136,7 @@ ReferencePlaces::ReferencePlaces(const NetworkFrame& frame, const std::vector<Re
     std::vector<Vector3d> through;
     for (int node : chain.nodes) through.emplace_back(places[node].x(), places[node].y(), 0.0);
     chains_.push_back(spline_through(through, chain.parameters));
+    // A chain has one parameter from 0 to 1, and each of its edges a part of it.
     const double first = chain.parameters.front(), whole = chain.parameters.back() - first;
     for (std::size_t i = 0; i < chain.references.size(); ++i) {
       parts_[chain.references[i]] = {chains_.size() - 1, (chain.parameters[i] - first) / whole,

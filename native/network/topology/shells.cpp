@@ -46,6 +46,7 @@ void Shells::link(int half, int next) {
 
 int Shells::bare_half_edge(int vertex, int loop) {
   const int half = half_edges_.add({.vertex = vertex, .loop = loop});
+  // The only half-edge of a vertex without edges follows itself.
   link(half, half);
   vertices_[vertex].half_edge = half;
   loops_[loop].first = half;
@@ -220,6 +221,7 @@ void Shells::kill_edge_vertex(int half) {
                  "Half-edge " + std::to_string(half) + " does not end at another vertex.");
   const int other = mate(half);
   const HalfEdge coming = half_edges_[other];
+  // What begins at the vertex that goes begins at the other one from now on.
   for (int around = clockwise(other); around != other; around = clockwise(around)) {
     half_edges_[around].vertex = going.vertex;
   }
@@ -255,6 +257,7 @@ void Shells::kill_edge_face(int half) {
   if (is_loop) {
     close_ring(is_other_loop, coming.next, coming.previous, going.vertex, going.loop);
   } else {
+    // What is before `half` goes on with what follows its mate, and the other way round.
     if (!is_other_loop) link(going.previous, coming.next);
     close_ring(false, going.next, is_other_loop ? going.previous : coming.previous, coming.vertex,
                going.loop);
