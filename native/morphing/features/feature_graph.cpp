@@ -115,6 +115,7 @@ class Grouping {
       is_used_[c] = 1;
       std::vector<Link> line{{c, false}};
       if (!curves_[c].closed()) {
+        // To one end; then, turned round, to the other.
         extend(line);
         for (Link& link : line) link.is_backward = !link.is_backward;
         std::reverse(line.begin(), line.end());
@@ -214,6 +215,7 @@ Feature feature_of(const std::vector<CreaseCurve>& curves, std::vector<Link> lin
 }
 
 int body_of(const CreaseCurve& curve, const analysis::Bodies& bodies) {
+  // A border has a face on one side alone.
   const surface::CellPlace left = curve.left(0.0), right = curve.right(0.0);
   return bodies.of_cell[left.cell >= 0 ? left.cell : right.cell];
 }

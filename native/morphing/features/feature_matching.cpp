@@ -85,6 +85,7 @@ class Matching {
           continue;
         }
         const double distance = distance_between(first_, f, second_, g);
+        // What is called a knuckle is any other crease: two of them may have nothing in common.
         const bool is_only =
             f.role != FeatureRole::kKnuckle && count(first_, f) == 1 && count(second_, g) == 1;
         if (is_only || distance <= kFarthestPair) candidates.emplace_back(distance, i, j);

@@ -62,6 +62,7 @@ std::vector<modelling::TiedPoint> common_squares(const surface::LimitSurface& hu
   const surface::SurfaceTree tree(other);
   std::vector<modelling::TiedPoint> found;
   for (const modelling::TiedPoint& tie : modelling::square_ties(hull)) {
+    // Where the other hull is not square a tie would hold the layout off it.
     const surface::ClosestPoint foot = surface::closest_point(tree, limits[tie.leader]);
     const Vector3d normal = other.normal(foot.cell, foot.u, foot.v);
     if (!normal.isZero(0.0) && std::abs(normal.y()) <= kSquareNormal) found.push_back(tie);

@@ -46,6 +46,7 @@ modelling::FitTarget target_of(const surface::LimitSurface& surface) {
 void hold_bar(const FeatureGraph& graph, const FeatureMatch& match,
               modelling::ReshapeLimits& limits) {
   for (int k : match.alone_in_first) {
+    // Held across alone: along the ship and up the bar goes with the hull.
     if (graph.features[k].role != FeatureRole::kBarEdge) continue;
     for (int chain : graph.features[k].chains) {
       for (int v : graph.curves[chain].vertices()) {
@@ -86,6 +87,7 @@ std::optional<Vector3d> fold_between(const surface::LimitSurface& first,
                                      const surface::LimitSurface& second) {
   const HullFamily family({first, second});
   for (int i = 1; i <= kFoldTrials; ++i) {
+    // Between both, none of which is folded against itself.
     const double t = i / (kFoldTrials + 1.0);
     const auto place = family.first_fold(family.points(std::vector<double>{1.0 - t, t}));
     if (place) return place;

@@ -73,6 +73,7 @@ std::vector<Vector3d> points_near(const surface::LimitSurface& surface, const Fe
     prescribed.push_back(is_held[v] ? Vector3d(shift.x(), 0.0, shift.z()) : shift);
   }
   for (int v : held) {
+    // Others of the centre plane go anywhere within it.
     if (!shifts.count(v)) options.limits.limits.held.push_back({v, Vector3d::UnitY()});
   }
   const modelling::Reshape reshape(scaled, options);
@@ -98,6 +99,7 @@ std::vector<modelling::FitCurve> counterpart_curves(const FeatureGraph& graph,
         const double length = i + 1 == count ? end : begin + (end - begin) * i / (count - 1);
         curve.points.push_back(g.curve.point_at(length));
       }
+      // In the chain's own direction.
       if (f.is_backward[k]) std::reverse(curve.points.begin(), curve.points.end());
       curve.chain = f.chains[k];
       curve.whole = !graph.curves[f.chains[k]].closed();

@@ -61,6 +61,7 @@ void add_border_sides(const DiscPair& maps, const CommonBorder& border, const Me
   const std::size_t count = border.points.size();
   for (std::size_t i = 0; i < count; ++i) {
     const CommonBorderPoint& at = border.points[i];
+    // In one direction: beyond the border there is nothing.
     sides.push_back({{maps[0]->disc().topology().face(at.half_edges[0]),
                       maps[1]->disc().topology().face(at.half_edges[1])},
                      number(at),

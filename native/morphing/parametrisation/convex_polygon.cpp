@@ -17,6 +17,7 @@ ConvexPolygon::ConvexPolygon(std::vector<Vector2d> corners) : corners_(std::move
                                 " corners: give it three or more.");
   }
   for (int k = 0; k < count; ++k) {
+    // Far below the largest coordinates for which orientation() is exact.
     if (corners_[k].allFinite() && corners_[k].cwiseAbs().maxCoeff() < 1e100) continue;
     throw std::invalid_argument("Corner " + std::to_string(k) +
                                 " of the polygon is no place: give it two numbers below 1e100.");

@@ -8,6 +8,7 @@
 namespace hull::morphing {
 namespace {
 
+// Ten times what is one place where borders are merged.
 constexpr double kLeastBorderEdge = 1e-8;  // of its side
 
 // Where each corner is along the border, as an index of disc.border().

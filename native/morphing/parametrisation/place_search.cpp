@@ -45,6 +45,7 @@ PlaceSearch::PlaceSearch(const DiscMap& map) : map_(map) {
   }
   std::vector<int> triangles(count);
   std::iota(triangles.begin(), triangles.end(), 0);
+  // A binary tree has a node less than twice its leaves.
   nodes_.reserve(2 * static_cast<std::size_t>(count));
   build(triangles.data(), triangles.data() + count, boxes);
 }
