@@ -64,6 +64,7 @@ double longest_touch(const CurveTree& first, const CurveTree& second, double rea
   return std::sqrt(8.0 * reach * size);
 }
 
+// Chords tell where to look, and how long it is; Newton's method on the curves tells the place.
 CurveMeetings curve_meetings(CurveTree& first, CurveTree& second, double reach) {
   CurveMeetings meetings;
   const NurbsCurve &a = first.curve(), &b = second.curve();

@@ -73,6 +73,7 @@ std::optional<SegmentZone> near_segments(const Vector3d& first_start, const Vect
       limit(b, a, t, 0.0, reach), limit(b, a, t, 1.0, reach), b.nearest_share(a.at(s))};
 }
 
+// Down both trees at once: pairs of parts whose boxes are near, until both are straight.
 std::vector<NearZone> near_zones(CurveTree& first, CurveTree& second, double reach) {
   std::vector<NearZone> zones;
   std::vector<std::pair<int, int>> pairs;

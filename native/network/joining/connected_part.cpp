@@ -9,6 +9,7 @@
 namespace hull::network {
 namespace {
 
+// Edges are struck off first; what is left is numbered anew at the end.
 class Pruning {
  public:
   Pruning(JoinedCurves& joined, const std::vector<CurveShape>& shapes,

@@ -29,6 +29,8 @@ class Classes {
   std::vector<std::size_t> root_;
 };
 
+// Marks are places of curves at which something is; those of a contact have one class from the
+// beginning, and classes that come together along a curve are united. Each class left is a node.
 class Joining {
  public:
   Joining(const std::vector<CurveShape>& shapes, const std::vector<std::string>& names,

@@ -82,6 +82,8 @@ struct RibbonEnd {
   Vector3d shift;  // of the side's normal there to that of the two slopes
 };
 
+// Ribbons of neighbours have to be one another's slopes at a corner: so each is led from what it is
+// to be at one end to what it is to be at the other, in the directions of the side's own frame.
 class Ribbon {
  public:
   Ribbon(SideCurve curve, const Vector3d& start_slope, const Vector3d& end_slope)

@@ -46,6 +46,7 @@ RibbonedSide half_of(const RibbonedSide& side, bool is_first) {
   };
 }
 
+// Two sides have two corners only: a third one in the longer side makes a triangle of them.
 std::vector<RibbonedSide> with_halved_side(const std::vector<RibbonedSide>& sides) {
   const std::size_t longer = side_length(sides[1]) > side_length(sides[0]) ? 1 : 0;
   // The other side's ribbons are slopes of halves at its ends.

@@ -17,6 +17,8 @@ struct Side {
   std::vector<bool> is_known;  // of edges: whether fields follow from what is told anywhere
 };
 
+// From planes of nodes to fields along pieces of curves, for both sides of all edges at once: where
+// there is no crease the two come out alike.
 class NormalFields {
  public:
   NormalFields(const JoinedCurves& joined, const std::vector<EdgeShape>& shapes,

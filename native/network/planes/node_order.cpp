@@ -93,6 +93,8 @@ Vector3d view_of(const std::vector<Vector3d>& directions) {
   return best;
 }
 
+// A view by itself has no sense. Senses go from node to node over edges, then the whole is turned
+// outwards; only then is there a counterclockwise order.
 class Ordering3d {
  public:
   Ordering3d(const JoinedCurves& joined, const std::vector<EdgeShape>& shapes)

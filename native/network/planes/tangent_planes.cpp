@@ -13,6 +13,8 @@ namespace {
 // Sines of angles between edges that span no plane: of any, and of those that go on in one another.
 constexpr double kOneLine = 1e-6, kPassing = 0.2588;
 
+// The sectors of a star, run by run from one crease or border to the next, with a plane for each
+// run.
 class Planes {
  public:
   Planes(const NodeStar& star, std::vector<bool> creases)

@@ -12,6 +12,8 @@ using conversion::SideEdge;
 
 constexpr double kSameCut = 1e-9;  // of an edge's parameter
 
+// Patches on either side of an edge may divide it in other places: first all cuts are gathered,
+// then numbered, and then each patch has the parts of edges between them as its sides.
 class QuadJoiner {
  public:
   QuadJoiner(const NetworkFrame& frame, const std::vector<PlacedQuads>& regions)

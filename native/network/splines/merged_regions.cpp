@@ -8,6 +8,7 @@
 namespace hull::network {
 namespace {
 
+// Groups of regions that hang together over references; those that make no quad fall apart again.
 class RegionMerger {
  public:
   RegionMerger(const NetworkFrame& frame, const std::vector<std::vector<RegionSide>>& regions,

@@ -45,6 +45,8 @@ std::vector<double> key_of(const RegionInput& input, const MergedRegion& region)
   return key;
 }
 
+// Patches of a region depend on its own sides alone, once splines and normals of edges are known:
+// so regions are made one by one, and those that have not changed are taken over.
 class PatchMaker {
  public:
   PatchMaker(const CurveNetwork& network, double tolerance, int spans, const NetworkPatches* before)

@@ -97,6 +97,7 @@ std::vector<NormalConstraint> normal_constraints(const BSplinePatch& patch,
   return all;
 }
 
+// The Schur complement of the constraints: as large as they are many, whatever the patch has.
 bool meet_normals(BSplinePatch& patch, const std::array<QuadSide, 4>& sides,
                   const InverseForm& inverse) {
   const std::vector<NormalConstraint> constraints = normal_constraints(patch, sides);

@@ -61,6 +61,7 @@ NodePlaces places_on_sides(const NetworkFrame& frame, const std::vector<RegionSi
 }
 
 // Adds the places of nodes inside to those on the sides.
+// Both coordinates at once, by least squares, for curves that cross do not agree on a node's place.
 void place_inner(const std::vector<Chain>& chains, NodePlaces& places) {
   std::map<int, Eigen::Index> unknown;
   Eigen::Index rows = 0;

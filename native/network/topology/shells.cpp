@@ -121,6 +121,7 @@ void Shells::kill_vertex_face_shell(int shell) {
   shells_.remove(shell);
 }
 
+// Here as below all that may be refused is asked first: then nothing is left half changed.
 Shells::NewEdge Shells::make_edge_vertex(int first, int last, int curve) {
   const int old = half_edges_.at(first).vertex;
   require_shells(half_edges_.at(last).vertex == old,
