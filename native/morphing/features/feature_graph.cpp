@@ -63,6 +63,7 @@ FeatureRole knuckle_role(const CreaseCurve& curve, const HullBox& hull) {
   return is_low ? FeatureRole::kBottomRim : FeatureRole::kKnuckle;
 }
 
+// By the box of its control points against the hull's: where a line is tells what it is.
 FeatureRole role_of(const CreaseCurve& curve, const HullBox& hull, double size) {
   const HullBox box = box_of(curve.spline().points());
   const Vector3d extent = box.high - box.low;

@@ -209,6 +209,7 @@ double LengthMap::operator()(double length) const {
   return second[k - 1] + share * (second[k] - second[k - 1]);
 }
 
+// Nodes come first: landmarks are taken only where there is room between them.
 LengthMap length_map(const FeatureGraph& first, const FeatureGraph& second,
                      const FeatureMatch& match, const FeaturePair& pair) {
   std::map<int, int> own, others;

@@ -6,6 +6,8 @@
 namespace hull::morphing {
 namespace {
 
+// From triangle to triangle: an edge on the way begins to the right of the line and ends to its
+// left, seen from the triangle that is left over it.
 class Walker {
  public:
   Walker(const PlaneMesh& ground, const Vector2d& p, const Vector2d& q, const Location* known_end,

@@ -91,6 +91,8 @@ std::vector<int> outline(const PartSide* begin, const PartSide* end,
 
 }  // namespace
 
+// The common part of a triangle of each disc is convex. Its sides are stretches of walks and of the
+// border; those of one pair of triangles, put in order, are its outline.
 MergedDiscs::MergedDiscs(const DiscMap& first, const DiscMap& second) {
   const DiscPair maps{&first, &second};
   const CommonBorder border = common_border(first, second);
