@@ -26,6 +26,7 @@ CurveTree::CurveTree(const NurbsCurve& curve, double flat) : curve_(curve), flat
   if (!(flat > 0.0) || !std::isfinite(flat)) {
     throw std::invalid_argument("The distance within which curves are straight must be above 0.");
   }
+  // From knot to knot, as a part between has one polynomial.
   for (CurvePiece& piece : pieces_of(curve_)) {
     parts_.push_back(part_of(std::move(piece)));
     box_.extend(parts_.back().box);

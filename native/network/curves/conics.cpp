@@ -54,6 +54,7 @@ NurbsCurve conic_arc(const Vector3d& start, const Vector3d& apex, const Vector3d
                      double fullness) {
   require_places(start, apex, end);
   const Vector3d a = apex - start, b = end - apex;
+  // Equal ends are refused by this, too: then both ways are one line.
   if (!(a.cross(b).norm() > kStraight * a.norm() * b.norm())) {
     throw std::invalid_argument("The tangents at the ends of a conic must meet at an angle.");
   }

@@ -46,6 +46,7 @@ class Pruning {
 
   void cut_dangling() {
     std::vector<std::pair<int, Dangling>> told;
+    // By nodes: the sentence that what dangles next there belongs to.
     std::vector<int> told_at(joined_.nodes.size(), -1);
     // An edge that is cut may leave the one before it dangling.
     for (bool is_changed = true; is_changed;) {

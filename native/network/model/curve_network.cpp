@@ -135,6 +135,7 @@ void CurveNetwork::join(const CurveNetwork* before) {
 void CurveNetwork::name_halts() {
   for (std::size_t e = 0; e < frame_->shapes.size(); ++e) {
     const std::optional<Vector3d> place = frame_->shapes[e].halt();
+    // Of all edges, as check_region() asks for those of its region.
     has_halt_.push_back(place.has_value());
     if (place) problems_.push_back(halt(frame_->joined.edges[e].curve, *place, names()));
   }

@@ -95,6 +95,7 @@ class Ribbon {
     const double h1 = u * u * (3.0 - 2.0 * u), h1_slope = 6.0 * u * (1.0 - u);
     const Vector3d normal = jet.normal.normal + (1.0 - h1) * start_.shift + h1 * end_.shift;
     const Vector3d normal_slope = jet.normal.slope + h1_slope * (end_.shift - start_.shift);
+    // At right angles to both, so that the ribbon is in the tangent plane: T of (5.2).
     const NormalJet across =
         unit_jet(normal.cross(tangent.normal),
                  normal_slope.cross(tangent.normal) + normal.cross(tangent.slope));

@@ -83,6 +83,7 @@ RegionFaces region_faces(const JoinedCurves& joined, const std::vector<EdgeShape
   }
   const auto least = std::ranges::min_element(turns) - turns.begin();
   faces.border = std::move(faces.loops[static_cast<std::size_t>(least)]);
+  // Regions behind it have a number less than their faces had.
   faces.loops.erase(faces.loops.begin() + least);
   for (std::size_t region = 0; region < faces.loops.size(); ++region) {
     for (const RegionEdge& side : faces.loops[region]) {

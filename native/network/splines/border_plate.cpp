@@ -88,6 +88,7 @@ std::optional<BorderPlate> BorderPlate::within(const std::vector<PlateSample>& b
     if (!border[i].has_slope) continue;
     const Vector3d normal = plate.axes_.transpose() * border[i].normal;
     const Vector2d along = (plate.axes_.transpose() * border[i].along).head<2>();
+    // Along the border slopes follow from the heights there.
     const Vector2d across = Vector2d(-along.y(), along.x()).normalized();
     plate.sources_.push_back({polygon[i], across});
     // The normal of a height h is along (-h_x, -h_y, 1).

@@ -19,6 +19,7 @@ double furthest_in(const BSplineCurve& spline, const CurveFunction& curve, doubl
                    double width) {
   double error = 0.0;
   for (int i = 0; i < kTestsOfSpan; ++i) {
+    // Between knots: at these the spline has the curve's points.
     const double t = low + width * (i + 0.5) / kTestsOfSpan;
     error = std::max(error, (spline.position(t) - Vector3d(curve(t).row(0))).norm());
   }
@@ -104,6 +105,7 @@ FittedSpline fitted_spline(const CurveFunction& curve, double tolerance) {
   SplineBreaks breaks{{0.0, 1.0}, {start.row(0), end.row(0)}};
   while (true) {
     FittedSpline fitted{complete_spline(breaks, start.row(1), end.row(1))};
+    // Which spans to halve is told by themselves, not by the worst of all.
     std::vector<bool> is_off(breaks.spans());
     for (std::size_t s = 0; s < breaks.spans(); ++s) {
       // All spans each time: one that is halved moves its neighbours, too.

@@ -92,6 +92,7 @@ Vector3d QuadStar::middle_place(std::size_t i) const {
 
 // It begins in its side's tangent plane.
 FittedSpline QuadStar::spoke(std::size_t i) const {
+  // Spokes are straight in the plane: the slope is the target's derivative along them.
   const Vector2d way = on_spoke(i, 1.0) - on_spoke(i, 0.0);
   const Vector3d start = middle_place(i), normal = sides_[i].normal(middles_[i]);
   const auto target = [&](double t) {

@@ -115,6 +115,7 @@ class CurveFit {
     const Eigen::Index size = inner + std::ssize(constraints_);
     right_ = Eigen::VectorXd::Zero(size);
     for (const PlacedPoint& one : points) add_point(one, 1.0 / static_cast<double>(points.size()));
+    // So little that it decides only where no point of a curve is.
     add_energy(kEnergy);
     for (std::size_t q = 0; q < constraints_.size(); ++q) {
       add_constraint(constraints_[q], inner + static_cast<Eigen::Index>(q));
@@ -217,6 +218,7 @@ std::vector<PlacedPoint> points_of(const std::vector<Reference>& curves, int par
   std::vector<PlacedPoint> points;
   for (const Reference& curve : curves) {
     for (int i = 0; i < parts; ++i) {
+      // At its end a curve may be on a side, where no inner point moves anything.
       const double t = (i + 0.5) / parts;
       points.push_back({curve.point(t), curve.place(t)});
     }

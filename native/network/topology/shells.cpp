@@ -65,6 +65,7 @@ int Shells::insert_before(int half, int vertex, int edge) {
   }
   half_edges_[added].edge = edge;
   int* halves = edges_[edge].halves;
+  // Which of both comes first does not matter: mate() finds the other.
   halves[halves[0] < 0 ? 0 : 1] = added;
   vertices_[vertex].half_edge = added;
   return added;
