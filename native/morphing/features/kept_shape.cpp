@@ -81,6 +81,7 @@ std::vector<CommonFlat> common_flats(const surface::LimitSurface& hull,
   std::vector<CommonFlat> found;
   for (const FlatRegion& region : flats_of(hull)) {
     for (const FlatRegion& counterpart : others) {
+      // Normals point into the water on both: a deck is not taken for a bottom.
       if (region.plane.normal.dot(counterpart.plane.normal) < std::cos(kTurned)) continue;
       CommonFlat flat{{}, counterpart.plane};
       for (int v : points_of(hull, region)) {

@@ -20,6 +20,7 @@ namespace {
 
 // `turns`: against the second hull.
 void measure(const LayoutTurns& turns, LayoutFit& fit) {
+  // Both ways: each alone misses what the other surface has and this one is nowhere near.
   const LayoutDistances there = layout_distances(turns.hull(), fit.second);
   const modelling::SurfacePlaces places(fit.second);
   const std::vector<surface::ClosestPoint> feet = turns.feet(places);

@@ -76,6 +76,7 @@ std::string remedy(const FeatureGraph& first, const FeatureGraph& second, const 
 std::string layout_shortfall(const FeatureGraph& first, const FeatureGraph& second,
                              const LayoutFit& fit, double tolerance) {
   const double length = second.box.high.x() - second.box.low.x();
+  // By the worse of both ways.
   const double off = length > 0.0 ? std::max(fit.rms, fit.rms_back) / length : 0.0;
   if (off <= tolerance && !fit.fold) return "";
   return reason(fit, off, tolerance) + ": " + remedy(first, second, fit) + ".";

@@ -49,6 +49,7 @@ std::vector<std::vector<int>> sides_of(const TriangleDisc& disc, const std::vect
   const int count = static_cast<int>(disc.border().size());
   std::vector<std::vector<int>> sides(places.size());
   for (std::size_t k = 0; k < places.size(); ++k) {
+    // The last side ends at the first corner.
     const int end = places[(k + 1) % places.size()];
     for (int i = places[k]; i != end; i = (i + 1) % count) sides[k].push_back(disc.border()[i]);
   }

@@ -30,6 +30,7 @@ Star star_of(const TriangleDisc& disc, int point) {
   do {
     star.neighbours.push_back(t.origin(t.next(h)));
     star.edges.push_back(disc.points()[star.neighbours.back()] - disc.points()[point]);
+    // Around an inner point the turn comes back to its beginning.
     h = t.twin(t.prev(h));
   } while (h != begin);
   return star;
