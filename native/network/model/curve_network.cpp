@@ -158,6 +158,7 @@ void CurveNetwork::name_planes() {
   for (std::size_t node = 0; node < frame_->joined.nodes.size(); ++node) {
     const TangentPlanes& planes = frame_->normals.planes[node];
     if (planes.has_planes) continue;
+    // All that meet there: which of them is to be moved is for the user to say.
     std::set<int> curves;
     for (const EdgeEnd& end : frame_->order.around[node]) {
       curves.insert(frame_->joined.edges[static_cast<std::size_t>(end.edge)].curve);

@@ -68,6 +68,8 @@ PatchPoint coons_gregory(const std::vector<RibbonedSide>& sides, const Vector2d&
   }
   for (std::size_t i : {0u, 1u}) {
     for (std::size_t k : {0u, 1u}) {
+      // At the corner i of u and k of v: the ribbon of the side along u is the slope along v, and
+      // the other way round.
       const SideJet& at_u = i == 0 ? along_u[k].at_low : along_u[k].at_high;
       const SideJet& at_v = k == 0 ? along_v[i].at_low : along_v[i].at_high;
       sum = sum - hu[i] * hv[k] * fixed(at_u.point);

@@ -156,6 +156,8 @@ class Ordering3d {
         if (is_done[static_cast<std::size_t>(next)]) continue;
         const Vector3d carried = carried_along(shape_of(shapes_, end), end.is_start, normal);
         const Vector3d& there = order_.normals[static_cast<std::size_t>(next)];
+        // The other node's sense is open yet: what counts is how near its line is to what is
+        // brought.
         steps.push({is_seen(there) ? std::abs(there.dot(carried)) : 0.0, next, carried});
       }
     }

@@ -69,6 +69,7 @@ RegionFaces region_faces(const JoinedCurves& joined, const std::vector<EdgeShape
           side_of_half[static_cast<std::size_t>(shells.half_edges()[half].next)];
       const CurveEdge& edge = joined.edges[static_cast<std::size_t>(side.edge)];
       const auto node = static_cast<std::size_t>(side.is_along ? edge.to : edge.from);
+      // Both seen from the node: the way that was come, and the way on.
       const Vector3d back =
           shapes[static_cast<std::size_t>(side.edge)].tangent_from(!side.is_along);
       const Vector3d on = shapes[static_cast<std::size_t>(next.edge)].tangent_from(next.is_along);

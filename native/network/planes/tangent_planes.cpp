@@ -85,6 +85,7 @@ class Planes {
       moments += edges[i] * edges[i].transpose();
       for (std::size_t k = 0; k < i; ++k) {
         const Vector3d across = edges[k].cross(edges[i]);
+        // Those two that are furthest from one line.
         if (across.norm() > most) {
           most = across.norm();
           normal = across.normalized();

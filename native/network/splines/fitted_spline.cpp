@@ -135,6 +135,7 @@ BSplineCurve with_knots(const BSplineCurve& curve, const std::vector<double>& kn
     if (near != knots.end() && *near <= knot + conversion::kSameKnot) knot = *near;
   }
   for (std::size_t i = 0; i < knots.size(); ++i) {
+    // From the first on, so that both lists agree up to here.
     if (i >= result.knots.size() || result.knots[i] != knots[i]) result.insert_knot(knots[i]);
   }
   return result;

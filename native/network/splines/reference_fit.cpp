@@ -69,6 +69,7 @@ struct Energies {
       mass.block<4, 4>(values.first, values.first) += width * weights[g] * row * row.transpose();
     }
     const double quarter = 0.25 * width;
+    // First and second ones at an end of the span, by Taylor from within.
     const auto derivatives = [&](const conversion::BasisValues& from, double step) {
       Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(2, count_);
       rows.block<1, 4>(0, from.first) =

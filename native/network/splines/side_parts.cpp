@@ -38,6 +38,7 @@ double SideParts::edge_parameter(std::size_t part, double t) const {
 double SideParts::middle() const {
   const auto above = std::upper_bound(ends_.begin() + 1, ends_.end() - 1, 0.5);
   const double low = *(above - 1), width = *above - low;
+  // The cut of the edge there that is nearest to the middle.
   double nearest = low + width * std::round((0.5 - low) / width * kCuts) / kCuts;
   double distance = kFromMiddle;
   // Better a node near the middle than a cut, which divides the edge for its other region, too.
