@@ -97,6 +97,7 @@ WholeVolume::WholeVolume(const HullFamily& family, const FamilyWay& way, bool mi
   std::array<Vector3d, kNodes.size()> moments;
   for (std::size_t i = 0; i < kNodes.size(); ++i) {
     body.go_to(kNodes[i]);
+    // All of it under water: the volume up to the deck.
     const analysis::Immersion whole = body.below(plane_above(body.surface()));
     volumes[i] = whole.volume;
     // Moments are polynomials, centres quotients of them.

@@ -35,6 +35,7 @@ Eigen::VectorXd shares(const std::vector<MoveMode>& modes, const std::vector<Vec
                        const modelling::TargetsReached& reached) {
   std::vector<Vector3d> moves = reached.moves;
   for (std::size_t i = 0; i < moves.size(); ++i) {
+    // Scaled about the origin, after the modes: so the scale goes first.
     moves[i] = (start[i] + moves[i]).cwiseQuotient(reached.scale) - start[i];
   }
   Eigen::MatrixXd columns(3 * static_cast<Eigen::Index>(moves.size()),

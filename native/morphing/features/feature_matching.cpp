@@ -39,6 +39,7 @@ std::vector<HullBox> body_boxes(const FeatureGraph& graph) {
   }
   std::vector<HullBox> boxes;
   for (const std::vector<Vector3d>& points : corners) {
+    // A smooth closed body has no lines to go by: it counts as a point at the hull's corner.
     boxes.push_back(points.empty() ? HullBox{Vector3d::Zero(), Vector3d::Zero()} : box_of(points));
   }
   return boxes;

@@ -128,6 +128,7 @@ std::optional<Vector3d> LayoutFitting::fit(surface::LimitSurface& layout, const 
     limits.limits.held.push_back({v, Vector3d::UnitY()});
   }
   if (way_.holds_bar) hold_bar(graph, match, limits);
+  // A whole hull may be on either side of the centre plane.
   const std::vector<modelling::FitBound> bounds =
       is_half(graph) ? bounds_of_half(first_, other_, second_.mesh().size())
                      : std::vector<modelling::FitBound>();

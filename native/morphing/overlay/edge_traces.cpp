@@ -22,6 +22,7 @@ class Tracer {
     for (const CommonBorderPoint& at : border.points) {
       const int point = at.points[disc], other = at.points[1 - disc];
       if (point < 0) continue;
+      // A border point of one disc alone is within the other's edge there.
       take(point, other >= 0 ? Location{Within::kPoint, other}
                              : Location{Within::kEdge, at.half_edges[1 - disc]});
     }

@@ -125,6 +125,7 @@ class Walker {
   // Along h, from its beginning or from within it.
   void follow(int h) {
     const double beyond = ahead(q_, places_[target(h)]);
+    // On the edge's line, and before its end.
     if (beyond > 0.0) return end_at({-1, h, {Within::kEdge, h}});
     const Stretch stretch{-1, h, {Within::kPoint, target(h)}};
     if (beyond == 0.0) return end_at(stretch);

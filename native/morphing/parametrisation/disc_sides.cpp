@@ -113,6 +113,7 @@ std::vector<BorderPoint> border_points(const TriangleDisc& disc, const std::vect
     const double whole = length_of(disc, sides[k]);
     double before = 0.0;
     for (int h : sides[k]) {
+      // A corner is of the side that begins there.
       points.push_back({t.origin(h), h, static_cast<int>(k), before / whole});
       const double length = edge_length(disc, h);
       if (length < kLeastBorderEdge * whole) {

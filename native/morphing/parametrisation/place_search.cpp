@@ -52,6 +52,7 @@ PlaceSearch::PlaceSearch(const DiscMap& map) : map_(map) {
 
 int PlaceSearch::build(int* begin, int* end, const std::vector<Eigen::AlignedBox2d>& boxes) {
   const int index = static_cast<int>(nodes_.size());
+  // A leaf, unless it is divided below.
   nodes_.push_back({{}, -1, *begin});
   for (const int* t = begin; t != end; ++t) nodes_[index].box.extend(boxes[*t]);
   if (end - begin == 1) return index;

@@ -70,6 +70,7 @@ std::vector<int> only_border(const mesh::Topology& t) {
   std::vector<int> border;
   std::vector<char> is_on_it(t.vertex_count(), 0);
   for (int point = 0; point < t.vertex_count(); ++point) {
+    // From each border point that no border has come by yet.
     if (t.twin(t.outgoing(point)) >= 0 || is_on_it[point]) continue;
     if (!border.empty()) {
       refuse("The triangles have more than one border: points " +
