@@ -38,6 +38,7 @@ CurveTree::Part CurveTree::part_of(CurvePiece piece) const {
   const Eigen::Index last = piece.points.rows() - 1;
   const Vector3d start = place_of(piece.points.row(0)), end = place_of(piece.points.row(last));
   const double middle = 0.5 * (piece.low + piece.high);
+  // With its control points, in whose hull it lies, the curve is as near to the chord.
   bool is_straight = true;
   for (Eigen::Index i = 1; i < last && is_straight; ++i) {
     is_straight = distance_from_chord(place_of(piece.points.row(i)), start, end) <= flat_;

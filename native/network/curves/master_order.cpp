@@ -47,6 +47,7 @@ class Ordering {
         continue;
       }
       states_[static_cast<std::size_t>(curve)] = State::kDone;
+      // Behind its masters, which were done before.
       order_.push_back(curve);
       path_.pop_back();
     }

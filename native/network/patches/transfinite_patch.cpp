@@ -81,6 +81,7 @@ TransfinitePatch::TransfinitePatch(std::vector<RibbonedSide> sides) : sides_(std
     throw std::invalid_argument("A patch has two to " + std::to_string(kMostSides) +
                                 " sides, not " + std::to_string(count) + ".");
   }
+  // As given: halves of a side agree by the way they are made.
   check();
   if (count == 2) sides_ = with_halved_side(sides_);
   if (count == 4) {

@@ -124,6 +124,8 @@ void BorderPlate::solve(const Eigen::VectorXd& wanted) {
     all.block(count, i, terms, 1) = row.head(terms);
   }
   Eigen::VectorXd right = Eigen::VectorXd::Zero(count + terms);
+  // The rest stays zero: weights of sources are orthogonal to the polynomials, so that these have
+  // all that they can make up, and there is one solution.
   right.head(count) = wanted;
   // Indefinite, for nothing stands where polynomials meet polynomials: no Cholesky.
   weights_ = all.partialPivLu().solve(right);

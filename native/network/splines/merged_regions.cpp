@@ -20,6 +20,7 @@ class RegionMerger {
     std::vector<MergedRegion> merged;
     for (std::size_t r = 0; r < regions_.size(); ++r) {
       if (is_taken[r]) continue;
+      // The same group is found from each of its regions: from the first one is enough.
       const std::vector<int> group = group_of(static_cast<int>(r));
       for (int one : group) is_taken[static_cast<std::size_t>(one)] = true;
       std::optional<MergedRegion> whole;

@@ -24,6 +24,7 @@ QuadSide whole(const SideSpline& side) {
 // Whether normals within are nowhere turned away from those at all corners.
 bool is_folded(const TransfinitePatch& patch) {
   Vector3d mean = Vector3d::Zero();
+  // At corners normals are what the network tells.
   for (const Vector2d& corner : patch.domain()) mean += patch.at(corner).normal();
   for (int i = 1; i < kFoldSamples; ++i) {
     for (int k = 1; k < kFoldSamples; ++k) {
@@ -97,6 +98,7 @@ std::optional<BorderPlate> plate_of(const std::vector<SideSpline>& sides, bool h
   return BorderPlate::within(samples, has_normals);
 }
 
+// Refers to both, which are there as long as the star is used.
 StarTarget plate_target(const BorderPlate& plate, const std::vector<SideSpline>& sides) {
   return {[&plate](const Vector2d& place) { return plate.at(place); },
           [&plate, &sides](std::size_t side, double t) {
@@ -193,6 +195,7 @@ RegionQuads region_quads(const RegionInput& input, const MergedRegion& region) {
   }
   if (given.size() == 4 && sides.size() == 4) {
     const TransfinitePatch patch(ribboned_sides(input.frame, sides));
+    // Where it is folded, quads around a centre need not be.
     if (!is_folded(patch)) return single_quad(input, splines, patch);
   }
   // First without short sides, beside which quads are slivers; with them where nothing comes of
