@@ -80,6 +80,7 @@ class Matching {
       const Feature& f = first_.features[i];
       for (int j = 0; j < static_cast<int>(second_.features.size()); ++j) {
         const Feature& g = second_.features[j];
+        // A closed line has no ends that could come to another one's.
         if (is_paired_[i] || is_taken_[j] || f.role != g.role || bodies[f.body] != g.body ||
             f.closed() != g.closed() ||
             std::find(apart.begin(), apart.end(), std::array{i, j}) != apart.end()) {
@@ -159,6 +160,7 @@ constexpr double kApart = 5e-3;
 // Adds a pair of lengths to others, rising in both, where it lies between two of them in both.
 void insert_between(const std::array<double, 2>& pair, double first_end, double second_end,
                     std::vector<std::array<double, 2>>& common) {
+  // As both lengths rise from pair to pair, the order by the first is that by both.
   const auto after = std::upper_bound(common.begin(), common.end(), pair);
   const std::array<double, 2> low = after == common.begin() ? std::array{0.0, 0.0} : after[-1];
   const std::array<double, 2> high =

@@ -34,6 +34,8 @@ void add_turns(const std::vector<ProfilePlace>& places, std::vector<Landmark>& f
     const double beyond = (place.at.x() - farthest->at.x()) * (is_forward ? 1.0 : -1.0);
     if (beyond > 0.0) farthest = &place;
     if (beyond > -kTurnsBack) continue;
+    // Profiles run from aft to forward: what a turn is follows from the end of the ship and its
+    // sense.
     const bool is_aft = farthest->at.x() < 0.5;
     const LandmarkKind kind = is_forward
                                   ? (is_aft ? LandmarkKind::kArch : LandmarkKind::kBulbTip)

@@ -72,6 +72,7 @@ class Isomorphism {
     // A vertex is reached by each of its half-edges, and must go to one place by all.
     const int v = from_.origin(a), w = to_.origin(b);
     if (vertex_image_[v] == kFree) {
+      // Kinds tell tags of corners, which no half-edge has.
       if (is_vertex_taken_[w] || from_.kind(v) != to_.kind(w)) return false;
       vertex_image_[v] = w;
       is_vertex_taken_[w] = 1;
