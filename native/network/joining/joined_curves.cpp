@@ -226,6 +226,7 @@ class Joining {
       const NurbsCurve& on = pieces[static_cast<std::size_t>(piece)];
       const double low = piece == a.piece ? a.parameter : on.begin();
       const double high = piece == b.piece ? b.parameter : on.end();
+      // None between visits at one parameter.
       if (low < high) result_.edges.push_back({a.curve, piece, low, high, a.node, b.node});
     }
   }

@@ -121,6 +121,7 @@ class Ribbon {
     if (!(length > 1e-9 * slope.norm())) return {along, 0.0, Vector3d::Zero()};
     // The normal of both slopes, to that side where the side's own is.
     const Vector3d own = tangent.cross(across / length);
+    // At a corner of more than half a turn the neighbour's slope is on the side's other side.
     const double sense = own.dot(normal) < 0.0 ? -1.0 : 1.0;
     return {along, sense * length, sense * own - normal};
   }

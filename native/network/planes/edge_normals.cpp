@@ -129,10 +129,13 @@ class NormalFields {
       const std::size_t before = (first + count - 1) % count;
       if (!is_open(first) || (is_open(before) && !planes.is_crease[first])) continue;
       const End passing = end_of(around[first], true);
+      // What none of the passing curve's nodes tells is not told here, either.
       if (!passing.side.is_known[passing.edge]) continue;
       for (std::size_t i = 1; i < count; ++i) {
         const std::size_t at = (first + i) % count;
+        // As far round as nothing is told, and no crease is crossed.
         if (!is_open(at) || planes.is_crease[at]) break;
+        // On both of its sides, which are one surface.
         for (bool is_after : {false, true}) {
           const End inner = end_of(around[at], is_after);
           inner.normal() = passing.normal();

@@ -69,6 +69,7 @@ std::optional<BorderPlate> BorderPlate::within(const std::vector<PlateSample>& b
     if (!(sample.normal.dot(up) > kLeastUp)) return std::nullopt;
   }
   plate.axes_.col(2) = up;
+  // Any axes will do: kernel and polynomials are the same turned.
   plate.axes_.col(0) = up.unitOrthogonal();
   // Right-handed: in the plane the border runs counterclockwise, as it does seen from outside.
   plate.axes_.col(1) = up.cross(plate.axes_.col(0));

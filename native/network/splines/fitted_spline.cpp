@@ -54,6 +54,7 @@ void make_simple(BSplineCurve& curve, double t, double rounding) {
   const double low = (t - second_before) / (after - second_before);
   const double high = (t - before) / (second_after - before);
   auto& points = curve.points;
+  // The control point from which the second knot's insertion made two, from its left and its right.
   const Vector3d one = (points[s - 2] - (1.0 - low) * points[s - 3]) / low;
   const Vector3d other = (points[s - 1] - high * points[s]) / (1.0 - high);
   // By so much the second point would be off, were the knot put in again.
@@ -80,6 +81,7 @@ BSplineCurve complete_spline(const SplineBreaks& breaks, const Vector3d& start_s
   points.resize(breaks.spans() + 3);
   points.front() = breaks.places.front();
   points.back() = breaks.places.back();
+  // A clamped cubic begins along its first leg, three times it over the first span.
   points[1] = points.front() + start_slope * (breaks.width(0) / 3.0);
   points[points.size() - 2] = points.back() - end_slope * (breaks.width(breaks.spans() - 1) / 3.0);
   const std::size_t first = 2, last = breaks.spans();
@@ -88,6 +90,7 @@ BSplineCurve complete_spline(const SplineBreaks& breaks, const Vector3d& start_s
   for (std::size_t i = first; i <= last; ++i) {
     const conversion::BasisValues values =
         conversion::basis_values(curve.knots, 3, curve.knots[i + 2]);
+    // At a simple knot three functions are left; the fourth begins there.
     const auto row = values.rows.row(0);
     const double pivot = row(1) - row(0) * above[i - 1];
     Vector3d right = breaks.places[i - 1] - row(0) * points[i - 1];
@@ -166,6 +169,7 @@ BSplineCurve strung_together(const std::vector<BSplineCurve>& parts,
     const BSplineCurve& part = parts[p];
     const double width = ends[p + 1] - ends[p];
     if (p > 0) {
+      // Slopes by the whole's parameter.
       const Vector3d before = spline_jet(parts[p - 1], 1.0).row(1) / (ends[p] - ends[p - 1]);
       const Vector3d after = spline_jet(part, 0.0).row(1) / width;
       const bool is_smooth = (before - after).norm() <= kSameSlope * size;

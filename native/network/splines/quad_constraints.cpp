@@ -24,6 +24,7 @@ NormalConstraint constraint_at(const BSplinePatch& patch, int side,
   const conversion::BasisValues values = conversion::basis_values(knots, 3, t);
   for (int a = 0; a < 4; ++a) {
     const double weight = values.rows(0, a);
+    // At a simple knot the fourth function is zero.
     if (weight == 0.0) continue;
     made.weights.emplace_back(patch.corner_index(side, values.first + a, 1), weight);
     made.weights.emplace_back(patch.corner_index(side, values.first + a, 0), -weight);

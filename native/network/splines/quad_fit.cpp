@@ -35,6 +35,7 @@ struct Samples {
     }
   }
 
+  // Without the first and the last one, which are the borders'.
   auto inner() const { return basis.middleCols(1, basis.cols() - 2); }
 };
 

@@ -141,6 +141,7 @@ void QuadStar::add_quad(RegionQuads& made, std::size_t i) const {
   std::array<QuadSide, 4> around{part_of(sides_[i], 0.0, middles_[i], corner, middle),
                                  spoke_side(i, true), spoke_side(last, false),
                                  part_of(sides_[last], middles_[last], 1.0, other, corner)};
+  // Spokes keep the target's: they are smooth all the same.
   if (!has_normals_) around[0].normal = around[3].normal = nullptr;
   made.add(fitted_quad(around, target, input_.spans));
 }

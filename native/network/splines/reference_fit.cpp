@@ -113,6 +113,7 @@ class CurveFit {
   // False, and nothing done, where there is no solution.
   bool solve(const std::vector<PlacedPoint>& points) {
     const Eigen::Index inner = 3 * (patch_.count_u - 2) * (patch_.count_v - 2);
+    // Three unknowns a point, then a multiplier for each constraint.
     const Eigen::Index size = inner + std::ssize(constraints_);
     right_ = Eigen::VectorXd::Zero(size);
     for (const PlacedPoint& one : points) add_point(one, 1.0 / static_cast<double>(points.size()));

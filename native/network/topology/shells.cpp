@@ -180,6 +180,7 @@ int Shells::kill_edge_make_loop(int half) {
   const int other = mate(half);
   const HalfEdge coming = half_edges_[other];
   const int face = loops_[going.loop].face;
+  // The face is kept: it is a loop of it that falls in two.
   const int inner = loops_.add({.face = face});
   faces_[face].inner.push_back(inner);
   remove_edge(half);
