@@ -61,6 +61,7 @@ void hold_bar(const FeatureGraph& graph, const FeatureMatch& match,
 void put_into(const analysis::Plane& plane, bool is_central, Vector3d& point) {
   Vector3d way = plane.normal;
   if (is_central) way.y() = 0.0;
+  // By as much of the way as takes the whole height off.
   if (!way.isZero(0.0)) point -= plane.height(point) / way.dot(plane.normal) * way;
 }
 

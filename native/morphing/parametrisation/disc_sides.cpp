@@ -97,6 +97,7 @@ void add_parts(const Triangle& corners, const std::array<int, 3>& middles,
   } else {
     int i = 0;  // the edge that is whole
     while (middles[i] >= 0) ++i;
+    // The corner between both halved edges, and a quad, which is cut in two.
     parts.push_back({middle(i + 1), corner(i + 2), middle(i + 2)});
     parts.push_back({corner(i), corner(i + 1), middle(i + 1)});
     parts.push_back({corner(i), middle(i + 1), middle(i + 2)});

@@ -41,6 +41,7 @@ std::vector<double> flat_directions(const Star& star, int point) {
   std::vector<double> directions{0.0};
   for (int k = 0; k < star.size(); ++k) {
     const Vector3d &e = star.edges[k], &f = star.edges[star.after(k)];
+    // By sine and cosine: near 0 and pi either alone loses half the digits.
     directions.push_back(directions.back() + std::atan2(e.cross(f).norm(), e.dot(f)));
   }
   if (!(directions.back() > 0.0)) {
