@@ -12,6 +12,7 @@ class ExactSum {
  public:
   void add_product(double x, double y) {
     const double product = x * y;
+    // What rounding took off the product, exactly.
     add(std::fma(x, y, -product));
     add(product);
   }
@@ -29,6 +30,7 @@ class ExactSum {
     int kept = 0;
     for (int i = 0; i < count_; ++i) {
       const double y = components_[i];
+      // The sum, and what rounding took off it, whichever of both is larger.
       const double sum = x + y;
       const double part = sum - x;
       const double rest = (x - (sum - part)) + (y - part);
@@ -39,11 +41,14 @@ class ExactSum {
     count_ = kept;
   }
 
+  // Six products of two components each.
   std::array<double, 12> components_;
   int count_ = 0;
 };
 
 double exact_orientation(const Vector2d& a, const Vector2d& b, const Vector2d& c) {
+  // The determinant multiplied out, of coordinates as they are: a difference of two would be
+  // rounded.
   ExactSum sum;
   sum.add_product(a.x(), b.y());
   sum.add_product(-a.y(), b.x());

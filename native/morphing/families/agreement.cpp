@@ -53,6 +53,7 @@ void compare_elements(const mesh::Topology& first, const mesh::Topology& other,
                       const std::string& parent, std::vector<std::string>& found) {
   std::vector<std::string> faces, creases, missing, points;
   for (int f = 0; f < first.face_count(); ++f) {
+    // With the same first half-edge the numbers of all are the same.
     bool is_same = first.face_size(f) == other.face_size(f) &&
                    first.first_half_edge(f) == other.first_half_edge(f);
     for (int i = 0; is_same && i < first.face_size(f); ++i) {
@@ -118,6 +119,7 @@ std::vector<std::string> differences(const std::vector<surface::LimitSurface>& p
     }
     const std::size_t before = found.size();
     compare_counts(first, other, parent, found);
+    // Elements go by numbers, of which there must be as many.
     if (found.size() == before) compare_elements(first, other, parent, found);
   }
   return found;
@@ -129,6 +131,8 @@ std::vector<std::string> flat_differences(const std::vector<surface::LimitSurfac
   for (const FamilyFlat& flat : flats) {
     check_flat(flat, parents.at(0).mesh().topology().vertex_count());
     const analysis::Plane first = analysis::fit_plane(points_of(flat, parents[0])).plane;
+    // Flat in itself, then parallel to the first one's: by the sine, as normals may point either
+    // way.
     for (std::size_t k = 0; k < parents.size(); ++k) {
       const std::vector<Vector3d> points = points_of(flat, parents[k]);
       const analysis::Plane plane = analysis::fit_plane(points).plane;

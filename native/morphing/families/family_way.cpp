@@ -29,6 +29,7 @@ class WayBody {
         way_(way),
         surface_(family.parents()[0]),
         body_(moved(0.0), mirrored, openings) {}
+  // The body refers to this object's surface.
   WayBody(const WayBody&) = delete;
   WayBody& operator=(const WayBody&) = delete;
 
@@ -42,6 +43,7 @@ class WayBody {
 
  private:
   const surface::LimitSurface& moved(double t) {
+    // From both ends each time, and not from the member before, so that rounding does not add up.
     const std::vector<Vector3d> a = family_.points(way_.from), b = family_.points(way_.to);
     std::vector<Vector3d> points(a.size());
     for (std::size_t i = 0; i < a.size(); ++i) points[i] = (1.0 - t) * a[i] + t * b[i];
@@ -57,6 +59,7 @@ class WayBody {
 
 // Above all of a surface.
 analysis::Plane plane_above(const surface::LimitSurface& surface) {
+  // The surface lies within the hull of its control points.
   double top = surface.mesh().points().front().z();
   for (const Vector3d& p : surface.mesh().points()) top = std::max(top, p.z());
   return {Vector3d::UnitZ(), top + 1e-3 * surface.mesh().size()};
@@ -79,6 +82,7 @@ double polynomial(const Eigen::Vector4d& c, double t) {
 // The Bézier coefficients of the cubic on an interval, less a value.
 analysis::BezierCubic on_interval(const Eigen::Vector4d& c, double low, double high, double less) {
   const double h = high - low, start = polynomial(c, low) - less;
+  // Taylor's terms from the lower end, with the width's powers in them.
   const double d1 = h * (c[1] + low * (2.0 * c[2] + 3.0 * low * c[3]));
   const double d2 = h * h * (2.0 * c[2] + 6.0 * low * c[3]), d3 = 6.0 * h * h * h * c[3];
   return {start, start + d1 / 3.0, start + 2.0 * d1 / 3.0 + d2 / 6.0,
@@ -93,11 +97,14 @@ WholeVolume::WholeVolume(const HullFamily& family, const FamilyWay& way, bool mi
   std::array<Vector3d, kNodes.size()> moments;
   for (std::size_t i = 0; i < kNodes.size(); ++i) {
     body.go_to(kNodes[i]);
+    // All of it under water: the volume up to the deck.
     const analysis::Immersion whole = body.below(plane_above(body.surface()));
     volumes[i] = whole.volume;
+    // Moments are polynomials, centres quotients of them.
     moments[i] = whole.volume * whole.centre_of_buoyancy;
   }
   Eigen::Matrix<double, 4, 3> of_volume = Eigen::Matrix<double, 4, 3>::Zero();
+  // One column of three: moments take all.
   for (int i = 0; i < 4; ++i) of_volume(i, 0) = volumes[i];
   volume_ = through_nodes<4>(of_volume).col(0);
   Eigen::Matrix<double, 5, 3> of_moments;
@@ -105,9 +112,11 @@ WholeVolume::WholeVolume(const HullFamily& family, const FamilyWay& way, bool mi
   moments_ = through_nodes<5>(of_moments).transpose();
   departure_ = 0.0;
   for (std::size_t i = 4; i < kNodes.size(); ++i) {
+    // Nodes that the cubic was not made of.
     const double off = std::abs(volume_at(kNodes[i]) - volumes[i]);
     departure_ = std::max(departure_, off / std::abs(volumes[i]));
   }
+  // Five nodes make the quartics: only the sixth tells of them.
   const double t = kNodes.back();
   const Vector3d centre = moments.back() / volumes.back();
   const double size = family.parents()[0].mesh().size();
@@ -146,10 +155,12 @@ std::optional<double> t_of_displacement(const HullFamily& family, const FamilyWa
   WayBody body(family, way, water.mirrored, water.openings);
   const auto excess = [&](double t) {
     body.go_to(t);
+    // The draft goes along with the member.
     const double draft = (1.0 - t) * water.drafts[0] + t * water.drafts[1];
     const analysis::Plane plane = analysis::water_plane({draft, water.trim, 0.0, water.draft_at});
     return body.below(plane).volume - wanted;
   };
+  // No polynomial, and perhaps of several roots: the first change of sign among a few stations.
   double before = low, at_before = excess(low);
   for (int i = 1; i < kWayStations; ++i) {
     const double t = i + 1 == kWayStations ? high : low + (high - low) * i / (kWayStations - 1);

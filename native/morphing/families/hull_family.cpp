@@ -31,6 +31,7 @@ HullFamily::HullFamily(std::vector<surface::LimitSurface> parents) : parents_(st
   if (parents_.size() < 2) throw std::invalid_argument("A family needs two parents or more.");
   const std::vector<std::string> differing = differences(parents_);
   if (!differing.empty()) throw std::invalid_argument(differing.front());
+  // Of the topology, which all parents share.
   const auto weights = std::make_shared<const modelling::PlaceWeights>(parents_[0]);
   for (const surface::LimitSurface& parent : parents_) places_.emplace_back(parent, weights);
 }
@@ -62,6 +63,7 @@ std::vector<Vector3d> HullFamily::points(const Eigen::MatrixXd& weights) const {
   }
   std::vector<Vector3d> points(point_count());
   for (int i = 0; i < point_count(); ++i) {
+    // Where sums are off 1 members would be drawn towards the origin, or from it.
     if (!(std::abs(weights.row(i).sum() - 1.0) <= kWeightSum)) {
       throw std::invalid_argument("The weights of point " + std::to_string(i) + " sum to " +
                                   std::to_string(weights.row(i).sum()) + "; they must sum to 1.");
@@ -80,6 +82,8 @@ std::optional<Vector3d> HullFamily::first_fold(const std::vector<Vector3d>& poin
     throw std::invalid_argument("There must be " + std::to_string(point_count()) + " points, not " +
                                 std::to_string(points.size()) + ".");
   }
+  // Parents may be turned against one another by much where both are right: a member is folded
+  // where it is so against all of them.
   std::vector<int> folded = places_[0].folds(points);
   for (std::size_t k = 1; k < places_.size() && !folded.empty(); ++k) {
     const std::vector<int> others = places_[k].folds(points);

@@ -34,6 +34,7 @@ Eigen::MatrixXd local_weights(const HullFamily& family, const std::vector<double
       field.shift = modelling::AlongBase<Vector3d>(Vector3d(gain, 0.0, 0.0));
       fields.push_back(std::move(field));
     }
+    // As gains of a field sum to zero over the parents, weights still sum to 1 wherever it fades.
     found.col(k).setConstant(weights[k]);
     if (fields.empty()) continue;
     const std::vector<modelling::FieldShift> gains =

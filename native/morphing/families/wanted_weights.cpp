@@ -35,6 +35,7 @@ Eigen::VectorXd shares(const std::vector<MoveMode>& modes, const std::vector<Vec
                        const modelling::TargetsReached& reached) {
   std::vector<Vector3d> moves = reached.moves;
   for (std::size_t i = 0; i < moves.size(); ++i) {
+    // Scaled about the origin, after the modes: so the scale goes first.
     moves[i] = (start[i] + moves[i]).cwiseQuotient(reached.scale) - start[i];
   }
   Eigen::MatrixXd columns(3 * static_cast<Eigen::Index>(moves.size()),
@@ -42,6 +43,7 @@ Eigen::VectorXd shares(const std::vector<MoveMode>& modes, const std::vector<Vec
   for (std::size_t k = 0; k < modes.size(); ++k) {
     columns.col(static_cast<Eigen::Index>(k)) = coordinates(modes[k]);
   }
+  // Parents may depend on one another, as three in a row do: of all shares the least.
   return mesh::least_norm_solution(columns, coordinates(moves));
 }
 
@@ -64,6 +66,8 @@ WantedWeights wanted_weights(const HullFamily& family, const std::vector<double>
   const Eigen::VectorXd gains = shares(options.modes, points, found.reached);
   for (Eigen::Index k = 0; k < gains.size(); ++k) {
     found.weights[static_cast<std::size_t>(k) + 1] += gains[k];
+    // Modes are differences from the first parent: what another gains it loses, and the sum stays
+    // 1.
     found.weights[0] -= gains[k];
   }
   return found;

@@ -53,8 +53,8 @@ FeatureRole at_end(bool is_aft, EndPart part) {
   }
 }
 
-// What a crease is that runs off the centre plane: a rim is, on average of its control points, as
-// low or as far out as the hull is.
+// What a crease is that runs off the centre plane: the rim of a flat bottom is, on average of its
+// control points, as low as the hull is.
 FeatureRole knuckle_role(const CreaseCurve& curve, const HullBox& hull) {
   const std::vector<Vector3d>& points = curve.spline().points();
   double height = 0.0;
@@ -63,6 +63,7 @@ FeatureRole knuckle_role(const CreaseCurve& curve, const HullBox& hull) {
   return is_low ? FeatureRole::kBottomRim : FeatureRole::kKnuckle;
 }
 
+// By the box of its control points against the hull's: where a line is tells what it is.
 FeatureRole role_of(const CreaseCurve& curve, const HullBox& hull, double size) {
   const HullBox box = box_of(curve.spline().points());
   const Vector3d extent = box.high - box.low;
@@ -74,7 +75,11 @@ FeatureRole role_of(const CreaseCurve& curve, const HullBox& hull, double size) 
       box.high.x() <= hull.low.x() + kTransomReach * (hull.high.x() - hull.low.x()) &&
       extent.x() <= kTransomLean * across;
   const bool is_forward = box.low.x() >= hull.high.x() - kAtCentreLine * size;
+  // A crease beside the centre plane that runs along it, and not across, is a bar's at the ends,
+  // too.
   const bool is_bar = is_central && extent.y() < 0.5 * std::max(extent.x(), extent.z());
+  // Ends of the ship first: the middle and the edges of a transom would be centre line and
+  // knuckles.
   if (is_aft || is_forward) {
     if (!is_border && !is_bar) return at_end(is_aft, EndPart::kEdge);
     if (is_border) return at_end(is_aft, is_central ? EndPart::kMiddle : EndPart::kRim);
@@ -97,6 +102,7 @@ class Grouping {
            const std::vector<int>& bodies)
       : curves_(curves), roles_(roles), bodies_(bodies), is_used_(curves.size(), 0) {
     for (int c = 0; c < static_cast<int>(curves.size()); ++c) {
+      // Closed chains are lines by themselves.
       if (curves[c].closed()) continue;
       for (bool is_backward : {false, true}) leaving_[key(c, first(c, is_backward))].push_back(c);
     }
@@ -110,6 +116,7 @@ class Grouping {
       is_used_[c] = 1;
       std::vector<Link> line{{c, false}};
       if (!curves_[c].closed()) {
+        // To one end; then, turned round, to the other.
         extend(line);
         for (Link& link : line) link.is_backward = !link.is_backward;
         std::reverse(line.begin(), line.end());
@@ -133,6 +140,8 @@ class Grouping {
       const Link last = line.back();
       const int end = first(last.chain, !last.is_backward);
       const std::vector<int>& there = leaving_[key(last.chain, end)];
+      // Both chains that leave the place, in the line's own role: with more of them it does not go
+      // on.
       if (there.size() != 2) return;
       const int next = there[0] == last.chain ? there[1] : there[0];
       if (is_used_[next]) return;
@@ -163,6 +172,7 @@ bool is_in_order(const Vector3d& from, const Vector3d& to) {
 }
 
 std::vector<FieldCurve::Arc> arcs_of(const CreaseCurve& curve, bool is_backward) {
+  // As cubics by their control points: backwards these, and the order of the cubics.
   std::vector<FieldCurve::Arc> arcs = FieldCurve::of_spline(curve.spline()).arcs();
   if (!is_backward) return arcs;
   std::reverse(arcs.begin(), arcs.end());
@@ -206,6 +216,7 @@ Feature feature_of(const std::vector<CreaseCurve>& curves, std::vector<Link> lin
 }
 
 int body_of(const CreaseCurve& curve, const analysis::Bodies& bodies) {
+  // A border has a face on one side alone.
   const surface::CellPlace left = curve.left(0.0), right = curve.right(0.0);
   return bodies.of_cell[left.cell >= 0 ? left.cell : right.cell];
 }
@@ -261,6 +272,7 @@ FeatureGraph feature_graph(const surface::LimitSurface& surface) {
     graph.features.push_back(
         feature_of(graph.curves, std::move(line), roles[chain], body_of_chain[chain]));
   }
+  // By places, so that numbers of features do not follow those of points.
   const auto order = [](const Feature& f) {
     const Vector3d begin = f.curve.point_at(0.0);
     return std::tuple(f.body, static_cast<int>(f.role), begin.x(), begin.z(), begin.y());

@@ -39,6 +39,7 @@ std::vector<HullBox> body_boxes(const FeatureGraph& graph) {
   }
   std::vector<HullBox> boxes;
   for (const std::vector<Vector3d>& points : corners) {
+    // A smooth closed body has no lines to go by: it counts as a point at the hull's corner.
     boxes.push_back(points.empty() ? HullBox{Vector3d::Zero(), Vector3d::Zero()} : box_of(points));
   }
   return boxes;
@@ -79,17 +80,20 @@ class Matching {
       const Feature& f = first_.features[i];
       for (int j = 0; j < static_cast<int>(second_.features.size()); ++j) {
         const Feature& g = second_.features[j];
+        // A closed line has no ends that could come to another one's.
         if (is_paired_[i] || is_taken_[j] || f.role != g.role || bodies[f.body] != g.body ||
             f.closed() != g.closed() ||
             std::find(apart.begin(), apart.end(), std::array{i, j}) != apart.end()) {
           continue;
         }
         const double distance = distance_between(first_, f, second_, g);
+        // What is called a knuckle is any other crease: two of them may have nothing in common.
         const bool is_only =
             f.role != FeatureRole::kKnuckle && count(first_, f) == 1 && count(second_, g) == 1;
         if (is_only || distance <= kFarthestPair) candidates.emplace_back(distance, i, j);
       }
     }
+    // The nearest of all first, then of what is left; equals by their numbers.
     std::sort(candidates.begin(), candidates.end());
     for (const auto& [distance, i, j] : candidates) {
       if (!is_paired_[i] && !is_taken_[j]) add(i, j, false);
@@ -142,6 +146,7 @@ using Meeting = std::map<int, std::set<int>>;
 Meeting meeting_features(const FeatureGraph& graph, const std::map<int, int>& numbers) {
   Meeting found;
   for (int i = 0; i < static_cast<int>(graph.features.size()); ++i) {
+    // Lines without counterpart do not count: what is left is to be the same on both hulls.
     const auto number = numbers.find(i);
     if (number == numbers.end()) continue;
     for (int node : graph.features[i].nodes) found[node].insert(number->second);
@@ -155,6 +160,7 @@ constexpr double kApart = 5e-3;
 // Adds a pair of lengths to others, rising in both, where it lies between two of them in both.
 void insert_between(const std::array<double, 2>& pair, double first_end, double second_end,
                     std::vector<std::array<double, 2>>& common) {
+  // As both lengths rise from pair to pair, the order by the first is that by both.
   const auto after = std::upper_bound(common.begin(), common.end(), pair);
   const std::array<double, 2> low = after == common.begin() ? std::array{0.0, 0.0} : after[-1];
   const std::array<double, 2> high =
@@ -173,6 +179,7 @@ std::vector<int> paired_bodies(const FeatureGraph& first, const FeatureGraph& se
   std::vector<std::tuple<double, int, int>> candidates;
   for (int i = 0; i < first.body_count; ++i) {
     for (int j = 0; j < second.body_count; ++j) {
+      // By both corners, so that extent and place count alike.
       const double off = (boxes[i].low - others[j].low).squaredNorm() +
                          (boxes[i].high - others[j].high).squaredNorm();
       candidates.emplace_back(off, i, j);
@@ -198,12 +205,14 @@ FeatureMatch match_features(const FeatureGraph& first, const FeatureGraph& secon
 }
 
 double LengthMap::operator()(double length) const {
+  // Between inner ends, so that the first and the last stretch go on beyond theirs.
   const auto upper = std::upper_bound(first.begin() + 1, first.end() - 1, length);
   const auto k = upper - first.begin();
   const double share = (length - first[k - 1]) / (first[k] - first[k - 1]);
   return second[k - 1] + share * (second[k] - second[k - 1]);
 }
 
+// Nodes come first: landmarks are taken only where there is room between them.
 LengthMap length_map(const FeatureGraph& first, const FeatureGraph& second,
                      const FeatureMatch& match, const FeaturePair& pair) {
   std::map<int, int> own, others;
@@ -218,6 +227,7 @@ LengthMap length_map(const FeatureGraph& first, const FeatureGraph& second,
   for (std::size_t i = 1; i + 1 < f.nodes.size(); ++i) {
     const std::set<int>& here = at.at(f.nodes[i]);
     if (here.size() < 2) continue;
+    // Beyond those that were found: lengths rise on both lines.
     for (std::size_t j = next; j + 1 < g.nodes.size(); ++j) {
       if (at_other.at(g.nodes[j]) != here) continue;
       common.push_back({f.lengths[i], g.lengths[j]});

@@ -45,6 +45,7 @@ std::vector<int> points_of(const surface::LimitSurface& hull, const FlatRegion& 
   std::set<int> found;
   for (int cell : region.cells) {
     for (int h = cell, k = 0; k < t.face_size(t.face(cell)); h = t.next(h), ++k) {
+      // Of faces that are curved elsewhere some points are off the plane.
       const double height = region.plane.height(hull.mesh().points()[t.origin(h)]);
       if (std::abs(height) <= kInPlane * hull.mesh().size()) found.insert(t.origin(h));
     }
@@ -61,6 +62,7 @@ std::vector<modelling::TiedPoint> common_squares(const surface::LimitSurface& hu
   const surface::SurfaceTree tree(other);
   std::vector<modelling::TiedPoint> found;
   for (const modelling::TiedPoint& tie : modelling::square_ties(hull)) {
+    // Where the other hull is not square a tie would hold the layout off it.
     const surface::ClosestPoint foot = surface::closest_point(tree, limits[tie.leader]);
     const Vector3d normal = other.normal(foot.cell, foot.u, foot.v);
     if (!normal.isZero(0.0) && std::abs(normal.y()) <= kSquareNormal) found.push_back(tie);
@@ -79,11 +81,13 @@ std::vector<CommonFlat> common_flats(const surface::LimitSurface& hull,
   std::vector<CommonFlat> found;
   for (const FlatRegion& region : flats_of(hull)) {
     for (const FlatRegion& counterpart : others) {
+      // Normals point into the water on both: a deck is not taken for a bottom.
       if (region.plane.normal.dot(counterpart.plane.normal) < std::cos(kTurned)) continue;
       CommonFlat flat{{}, counterpart.plane};
       for (int v : points_of(hull, region)) {
         const surface::ClosestPoint foot = surface::closest_point(tree, limits[v]);
         const bool is_near = std::abs(counterpart.plane.height(limits[v])) <= near;
+        // In one flat at most: two planes at an angle would leave it a line alone.
         if (is_near && is_at(foot, counterpart, risen) && !taken.count(v)) flat.points.push_back(v);
       }
       if (flat.points.size() < 3) continue;

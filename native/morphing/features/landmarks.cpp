@@ -30,9 +30,12 @@ void add_turns(const std::vector<ProfilePlace>& places, std::vector<Landmark>& f
   bool is_forward = true;
   const ProfilePlace* farthest = &places.front();
   for (const ProfilePlace& place : places) {
+    // By hysteresis: waves of less than kTurnsBack do not turn it.
     const double beyond = (place.at.x() - farthest->at.x()) * (is_forward ? 1.0 : -1.0);
     if (beyond > 0.0) farthest = &place;
     if (beyond > -kTurnsBack) continue;
+    // Profiles run from aft to forward: what a turn is follows from the end of the ship and its
+    // sense.
     const bool is_aft = farthest->at.x() < 0.5;
     const LandmarkKind kind = is_forward
                                   ? (is_aft ? LandmarkKind::kArch : LandmarkKind::kBulbTip)
@@ -47,6 +50,7 @@ void add_keel(const std::vector<ProfilePlace>& places, std::vector<Landmark>& fo
   double low = places.front().at.z();
   for (const ProfilePlace& place : places) low = std::min(low, place.at.z());
   const auto is_level = [&](const ProfilePlace& place) { return place.at.z() <= low + kLevel; };
+  // From the first level place to the last: what is between may rise.
   const auto begin = std::find_if(places.begin(), places.end(), is_level);
   const auto end = std::find_if(places.rbegin(), places.rend(), is_level);
   if (end->at.x() - begin->at.x() < kLevelKeel) return;
@@ -85,6 +89,7 @@ std::vector<std::array<double, 2>> common_landmarks(const FeatureGraph& first, c
        {LandmarkKind::kArch, LandmarkKind::kSternEnd, LandmarkKind::kKeelBegin,
         LandmarkKind::kKeelEnd, LandmarkKind::kBulbTip, LandmarkKind::kBulbNeck}) {
     const std::vector<double> here = lengths_of(own, kind), there = lengths_of(others, kind);
+    // As often on both lines, else it is open which is which.
     if (here.size() != there.size()) continue;
     for (std::size_t i = 0; i < here.size(); ++i) pairs.push_back({here[i], there[i]});
   }

@@ -18,6 +18,7 @@ LayoutDistances layout_distances(const modelling::SurfacePlaces& places,
   double sum = 0.0;
   for (int k = 0; k < places.count(); ++k) {
     const double distance = feet[k].distance;
+    // Each place stands for the surface around it.
     sum += places.area(k) * distance * distance;
     if (distance <= found.largest) continue;
     found.largest = distance;

@@ -20,6 +20,7 @@ namespace {
 
 // `turns`: against the second hull.
 void measure(const LayoutTurns& turns, LayoutFit& fit) {
+  // Both ways: each alone misses what the other surface has and this one is nowhere near.
   const LayoutDistances there = layout_distances(turns.hull(), fit.second);
   const modelling::SurfacePlaces places(fit.second);
   const std::vector<surface::ClosestPoint> feet = turns.feet(places);
@@ -34,6 +35,7 @@ void measure(const LayoutTurns& turns, LayoutFit& fit) {
   if (fit.fold) return;
   const std::vector<int> turned = turns.turned(places, feet);
   if (turned.empty()) return;
+  // The same place of the first hull, on which folds of members are told, too.
   fit.fold = modelling::SurfacePlaces(fit.first, places.weights()).position(turned.front());
 }
 
@@ -43,6 +45,7 @@ std::optional<surface::LimitSurface> renumbered_as(const surface::LimitSurface& 
   const std::optional<std::vector<int>> images = renumbering(first.mesh(), second.mesh());
   if (!images) return std::nullopt;
   std::vector<Vector3d> points;
+  // Images are the second hull's vertices, by the first one's numbers.
   for (int image : *images) points.push_back(second.mesh().points()[image]);
   surface::LimitSurface surface = first;
   surface.set_points(std::move(points));
@@ -100,6 +103,8 @@ void subdivide(surface::LimitSurface& surface) {
 // Whether the second hull, or one of the two subdivided, has the first one's topology: then they
 // are parents as they are.
 bool are_alike(const surface::LimitSurface& second, LayoutFit& fit) {
+  // Subdivision leaves a surface as it is: the coarser of two is brought to as many points as the
+  // other one has, or more.
   surface::LimitSurface first = fit.first, other = second;
   int subdivisions = 0;
   const bool is_coarser = size_of(first) < size_of(other);
@@ -178,6 +183,7 @@ LayoutFit fit_layout(const surface::LimitSurface& first, const surface::LimitSur
     found.shortfall = layout_shortfall(graph, other, found, options.tolerance);
     return found;
   }
+  // One way after the other, until one does: a fit takes seconds.
   std::vector<LayoutWay> ways{{.has_first_metric = true}, {}};
   if (has_bar_alone(graph, found.match)) ways.insert(ways.begin() + 1, {.holds_bar = true});
   std::optional<LayoutFit> best;

@@ -46,6 +46,7 @@ modelling::FitTarget target_of(const surface::LimitSurface& surface) {
 void hold_bar(const FeatureGraph& graph, const FeatureMatch& match,
               modelling::ReshapeLimits& limits) {
   for (int k : match.alone_in_first) {
+    // Held across alone: along the ship and up the bar goes with the hull.
     if (graph.features[k].role != FeatureRole::kBarEdge) continue;
     for (int chain : graph.features[k].chains) {
       for (int v : graph.curves[chain].vertices()) {
@@ -60,6 +61,7 @@ void hold_bar(const FeatureGraph& graph, const FeatureMatch& match,
 void put_into(const analysis::Plane& plane, bool is_central, Vector3d& point) {
   Vector3d way = plane.normal;
   if (is_central) way.y() = 0.0;
+  // By as much of the way as takes the whole height off.
   if (!way.isZero(0.0)) point -= plane.height(point) / way.dot(plane.normal) * way;
 }
 
@@ -71,6 +73,7 @@ std::vector<modelling::FitBound> bounds_of_half(const surface::LimitSurface& fir
   std::vector<modelling::FitBound> bounds;
   const std::vector<Vector3d>& points = first.mesh().points();
   for (std::size_t i = 0; i < points.size(); ++i) {
+    // Towards the side on which the second hull is, which is the first one's, too.
     const double own = side * points[i].y();
     if (own <= kOnCentrePlane * first.mesh().size()) continue;
     bounds.push_back(
@@ -85,6 +88,7 @@ std::optional<Vector3d> fold_between(const surface::LimitSurface& first,
                                      const surface::LimitSurface& second) {
   const HullFamily family({first, second});
   for (int i = 1; i <= kFoldTrials; ++i) {
+    // Between both, none of which is folded against itself.
     const double t = i / (kFoldTrials + 1.0);
     const auto place = family.first_fold(family.points(std::vector<double>{1.0 - t, t}));
     if (place) return place;
@@ -125,6 +129,7 @@ std::optional<Vector3d> LayoutFitting::fit(surface::LimitSurface& layout, const 
     limits.limits.held.push_back({v, Vector3d::UnitY()});
   }
   if (way_.holds_bar) hold_bar(graph, match, limits);
+  // A whole hull may be on either side of the centre plane.
   const std::vector<modelling::FitBound> bounds =
       is_half(graph) ? bounds_of_half(first_, other_, second_.mesh().size())
                      : std::vector<modelling::FitBound>();
@@ -134,10 +139,12 @@ std::optional<Vector3d> LayoutFitting::fit(surface::LimitSurface& layout, const 
     boxed->set_points(in_box(first_.mesh().points(), graph.box, other_.box));
   }
   const surface::LimitSurface* const metric = boxed ? &*boxed : nullptr;
+  // A step from afar that would fold a member is left out, and the near ones begin before it.
   if (is_far) approach(layout, curves, limits, bounds, metric, kFarStages);
   std::vector<Vector3d> points = layout.mesh().points();
   limits.tied = common_squares(first_, layout, second_);
   for (const modelling::TiedPoint& tie : limits.tied) {
+    // Ties are of moves: what they keep square must be so to begin with.
     points[tie.point] += tie.direction.dot(points[tie.leader] - points[tie.point]) * tie.direction;
   }
   flats = common_flats(first_, layout, second_);
@@ -173,6 +180,7 @@ std::optional<Vector3d> LayoutFitting::approach(surface::LimitSurface& layout,
   options.fairness = 0.0;
   options.draw_border = true;
   options.progress = progress_;
+  // A layout that is folded already may come out of it: only a fold that is new ends the way.
   bool was_folded = fold_between(first_, layout).has_value();
   for (const FitStage& stage : stages) {
     options.stiffness = stage.stiffness;

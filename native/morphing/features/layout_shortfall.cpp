@@ -56,6 +56,7 @@ std::string remedy(const FeatureGraph& first, const FeatureGraph& second, const 
       "take the layout of the other hull, or of a third one, such as the sample coaster's";
   if (a < 0 && b < 0) return std::string("all lines are paired: ") + or_another;
   std::string text;
+  // Of one role near one place: perhaps counterparts that were too far apart, or held so.
   if (a >= 0 && b >= 0 && first.features[a].role == second.features[b].role) {
     text = "pair by hand " + first.described(a) + " of the first with " + second.described(b) +
            " of the second, if they belong together";
@@ -75,6 +76,7 @@ std::string remedy(const FeatureGraph& first, const FeatureGraph& second, const 
 std::string layout_shortfall(const FeatureGraph& first, const FeatureGraph& second,
                              const LayoutFit& fit, double tolerance) {
   const double length = second.box.high.x() - second.box.low.x();
+  // By the worse of both ways.
   const double off = length > 0.0 ? std::max(fit.rms, fit.rms_back) / length : 0.0;
   if (off <= tolerance && !fit.fold) return "";
   return reason(fit, off, tolerance) + ": " + remedy(first, second, fit) + ".";

@@ -18,6 +18,7 @@ constexpr int kFewestPoints = 9;  // of a counterpart's stretch
 // The length along a feature at a control point of one of its chains, by the chain's own direction.
 double length_at(const FeatureGraph& graph, const Feature& feature, std::size_t k, double t) {
   const surface::CreaseCurve& chain = graph.curves[feature.chains[k]];
+  // A line may come near itself: the foot is kept to the chain that the point is of.
   const double from_begin = feature.curve.foot(chain.evaluate(t, 0).point).length;
   return std::clamp(from_begin, feature.lengths[k], feature.lengths[k + 1]);
 }
@@ -33,8 +34,10 @@ std::map<int, Vector3d> feature_shifts(const FeatureGraph& graph, const FeatureG
       const surface::CreaseCurve& chain = graph.curves[f.chains[k]];
       for (std::size_t i = 0; i < chain.vertices().size(); ++i) {
         const double t = static_cast<double>(i);
+        // What a limit point lacks its control point is shifted by: whole lines of them go along.
         const Vector3d here = other.box.absolute(graph.box.relative(chain.evaluate(t, 0).point));
         const Vector3d there = g.curve.point_at(map(length_at(graph, f, k, t)));
+        // Where lines meet the first one decides.
         shifts.emplace(chain.vertices()[i], there - here);
       }
     }
@@ -66,12 +69,15 @@ std::vector<Vector3d> points_near(const surface::LimitSurface& surface, const Fe
   std::vector<Vector3d> prescribed;
   for (const auto& [v, shift] : shifts) {
     options.limits.prescribed.push_back(v);
+    // What is in the centre plane stays there, wherever its line goes.
     prescribed.push_back(is_held[v] ? Vector3d(shift.x(), 0.0, shift.z()) : shift);
   }
   for (int v : held) {
+    // Others of the centre plane go anywhere within it.
     if (!shifts.count(v)) options.limits.limits.held.push_back({v, Vector3d::UnitY()});
   }
   const modelling::Reshape reshape(scaled, options);
+  // Nothing is wanted of the surface: the rest goes with what is prescribed by bending alone.
   const std::vector<Vector3d> none(reshape.places().count(), Vector3d::Zero());
   const modelling::Reshaped found = reshape.solve(none, prescribed);
   for (std::size_t i = 0; i < points.size(); ++i) points[i] += found.moves[i];
@@ -93,6 +99,7 @@ std::vector<modelling::FitCurve> counterpart_curves(const FeatureGraph& graph,
         const double length = i + 1 == count ? end : begin + (end - begin) * i / (count - 1);
         curve.points.push_back(g.curve.point_at(length));
       }
+      // In the chain's own direction.
       if (f.is_backward[k]) std::reverse(curve.points.begin(), curve.points.end());
       curve.chain = f.chains[k];
       curve.whole = !graph.curves[f.chains[k]].closed();

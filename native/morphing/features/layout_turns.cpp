@@ -60,7 +60,9 @@ std::vector<int> LayoutTurns::turned(const modelling::SurfacePlaces& layout,
   for (int k = 0; k < layout.count(); ++k) {
     const Vector3d& normal = layout.normal(k);
     if (!(feet[k].distance <= kNearHull * tree_.size()) || normal.isZero(0.0)) continue;
+    // At a foot on a knuckle this is the normal of the one face that the foot was found in.
     const Vector3d there = hull_.normal(feet[k].cell, feet[k].u, feet[k].v);
+    // Few places are left, for which all pieces are gone through.
     if (there.isZero(0.0) || normal.dot(there) > 0.0) continue;
     if (!is_beside_its_face(layout.position(k), normal, feet[k].distance)) found.push_back(k);
   }

@@ -69,8 +69,10 @@ class Isomorphism {
         from_.face_size(from_.face(a)) != to_.face_size(to_.face(b))) {
       return false;
     }
+    // A vertex is reached by each of its half-edges, and must go to one place by all.
     const int v = from_.origin(a), w = to_.origin(b);
     if (vertex_image_[v] == kFree) {
+      // Kinds tell tags of corners, which no half-edge has.
       if (is_vertex_taken_[w] || from_.kind(v) != to_.kind(w)) return false;
       vertex_image_[v] = w;
       is_vertex_taken_[w] = 1;
@@ -116,6 +118,7 @@ std::optional<std::vector<int>> renumbering(const mesh::ControlMesh& mesh,
         sum +=
             (box.relative(mesh.points()[v]) - other_box.relative(other.points()[w])).squaredNorm();
       }
+      // All ways are looked at first: the best one is taken again below.
       map.withdraw();
       if (sum >= least) continue;
       least = sum;

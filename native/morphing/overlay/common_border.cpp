@@ -12,6 +12,7 @@ constexpr double kSamePlace = 1e-9;  // of the side; border edges are ten times 
 
 // Less than 0 where `a` comes first, 0 where both are one.
 int order_of(const BorderPoint& a, const BorderPoint& b) {
+  // Corners are points of both discs, and so no side's last point is one with the next one's first.
   if (a.side != b.side) return a.side < b.side ? -1 : 1;
   if (std::abs(a.along - b.along) < kSamePlace) return 0;
   return a.along < b.along ? -1 : 1;
@@ -20,6 +21,7 @@ int order_of(const BorderPoint& a, const BorderPoint& b) {
 void add_both(const DiscMap& first, const BorderPoint& a, const BorderPoint& b,
               CommonBorder& border) {
   border.points.push_back({{a.point, b.point}, {a.half_edge, b.half_edge}});
+  // By length, not by disc: the order of the discs does not matter.
   const BorderPoint& earlier = a.along <= b.along ? a : b;
   const Vector2d place = first.polygon().on_side(earlier.side, earlier.along);
   border.places[0][a.point] = border.places[1][b.point] = place;
@@ -48,6 +50,8 @@ void check_disc(const DiscMap& map, int disc, const CommonBorder& border) {
     return at.points[0] >= 0 ? border.places[0][at.points[0]] : border.places[1][at.points[1]];
   };
   for (int i = 0; i < count; ++i) {
+    // Once more with each piece of the chain in place of the triangle's own border edge, beside
+    // which the chain may run by rounding.
     const int h = border.points[i].half_edges[disc];
     check_triangle(map, disc, topology.face(h),
                    {place_of(border.points[i]), place_of(border.points[(i + 1) % count]),
@@ -61,6 +65,8 @@ CommonBorder common_border(const DiscMap& first, const DiscMap& second) {
   if (first.polygon().corners() != second.polygon().corners()) {
     throw std::invalid_argument("The two discs are mapped onto different polygons: take the same.");
   }
+  // Merged as sorted lists are. Both begin with the first corner, so that there is always a point
+  // before, on whose edge one of the other disc alone lies.
   CommonBorder border{{}, {first.places(), second.places()}};
   auto a = first.border().begin();
   auto b = second.border().begin();

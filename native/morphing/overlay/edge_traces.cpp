@@ -18,9 +18,11 @@ class Tracer {
         is_found_(t_.vertex_count(), 0),
         is_walked_(t_.edge_count(), 0) {
     traces_.locations.resize(t_.vertex_count());
+    // All walks begin from what is known of the border.
     for (const CommonBorderPoint& at : border.points) {
       const int point = at.points[disc], other = at.points[1 - disc];
       if (point < 0) continue;
+      // A border point of one disc alone is within the other's edge there.
       take(point, other >= 0 ? Location{Within::kPoint, other}
                              : Location{Within::kEdge, at.half_edges[1 - disc]});
     }
@@ -39,6 +41,8 @@ class Tracer {
   }
 
   void walk_from(int point) {
+    // To the left from the outgoing half-edge; of a border point that is the one along the border,
+    // and the turn ends at the border's other edge.
     const int begin = t_.outgoing(point);
     int h = begin;
     while (true) {
@@ -53,10 +57,13 @@ class Tracer {
     const int from = t_.origin(h), to = t_.origin(t_.next(h));
     const bool is_border = t_.twin(t_.outgoing(to)) < 0;
     const int begin = static_cast<int>(traces_.stretches.size());
+    // The border is a chain off the edges' lines: signs do not tell where a walk meets it.
     walk(ground_, traces_.locations[from], places_[from], places_[to],
          is_border ? &traces_.locations[to] : nullptr, traces_.stretches);
     const int count = static_cast<int>(traces_.stretches.size()) - begin;
     traces_.paths.push_back({h, begin, count});
+    // A point is found by the first walk that comes to it; all others must find it in the same
+    // place.
     const Location& end = traces_.stretches.back().end;
     if (!is_found_[to]) {
       take(to, end);

@@ -6,6 +6,8 @@
 namespace hull::morphing {
 namespace {
 
+// From triangle to triangle: an edge on the way begins to the right of the line and ends to its
+// left, seen from the triangle that is left over it.
 class Walker {
  public:
   Walker(const PlaneMesh& ground, const Vector2d& p, const Vector2d& q, const Location* known_end,
@@ -30,6 +32,7 @@ class Walker {
         leave_triangle(from.index);
     }
     while (!ended_) {
+      // Each stretch but the last ends on a point or an edge, from where the next one goes on.
       const Location at = stretches_.back().end;
       if (at.within == Within::kPoint) {
         leave_point(at.index);
@@ -53,6 +56,9 @@ class Walker {
     int h = begin;
     do {
       const int back = t_.prev(h);
+      // Edges of the border are not asked, for the border is a chain beside them: on its first
+      // edge's right and its last one's left there is nothing, so that the line leaves between
+      // them.
       const double right = t_.twin(h) < 0 ? -1.0 : side(target(h));
       const double left = t_.twin(back) < 0 ? 1.0 : side(t_.origin(back));
       if (right == 0.0 && ahead(places_[point], places_[target(h)]) > 0.0) return follow(h);
@@ -65,6 +71,7 @@ class Walker {
   void leave_edge(int h) {
     if (t_.twin(h) < 0) return enter(h);
     const double left = orientation(places_[t_.origin(h)], places_[target(h)], q_);
+    // As the walk begins on the edge, q alone tells into which of its triangles.
     if (left > 0.0) return enter(h);
     if (left < 0.0) return enter(t_.twin(h));
     const bool forward = ahead(places_[t_.origin(h)], places_[target(h)]) > 0.0;
@@ -74,6 +81,7 @@ class Walker {
   void leave_triangle(int triangle) {
     const int first = t_.first_half_edge(triangle);
     double sides[3];
+    // Out over the edge that goes from right to left, or through the corner between the two sides.
     for (int i = 0; i < 3; ++i) sides[i] = side(t_.origin(first + i));
     for (int i = 0; i < 3; ++i) {
       const double next = sides[(i + 1) % 3], last = sides[(i + 2) % 3];
@@ -90,12 +98,14 @@ class Walker {
     const int opposite = t_.origin(t_.prev(h));
     const double left = side(opposite);
     if (left == 0.0) return reach(opposite, t_.face(h));
+    // The next edge begins to the right of the line, where h ends; the one before ends to its left.
     leave_through(left > 0.0 ? t_.next(h) : t_.prev(h));
   }
 
   // Out of the triangle of h over h, which begins to the right of the line and ends to its left.
   void leave_through(int h) {
     if (t_.twin(h) < 0) return end_within(t_.face(h));
+    // As the edge runs from right to left, q within the triangle is to its left.
     const double left = orientation(places_[t_.origin(h)], places_[target(h)], q_);
     if (left > 0.0) return end_within(t_.face(h));
     if (left == 0.0) return end_at({t_.face(h), -1, {Within::kEdge, h}});
@@ -104,6 +114,7 @@ class Walker {
 
   // Within a triangle towards one of its corners, which is on the line.
   void reach(int point, int triangle) {
+    // How far the corner is ahead of q; then, by exact signs, it is q itself where that is zero.
     const double beyond = ahead(q_, places_[point]);
     if (beyond > 0.0) return end_within(triangle);
     const Stretch stretch{triangle, -1, {Within::kPoint, point}};
@@ -114,6 +125,7 @@ class Walker {
   // Along h, from its beginning or from within it.
   void follow(int h) {
     const double beyond = ahead(q_, places_[target(h)]);
+    // On the edge's line, and before its end.
     if (beyond > 0.0) return end_at({-1, h, {Within::kEdge, h}});
     const Stretch stretch{-1, h, {Within::kPoint, target(h)}};
     if (beyond == 0.0) return end_at(stretch);

@@ -33,10 +33,13 @@ void add_inner_sides(const DiscPair& maps, const EdgeTraces& traces, int disc,
     for (int i = path.begin; i < path.begin + path.count; ++i) {
       const Stretch& stretch = traces.stretches[i];
       const bool is_last = i + 1 == path.begin + path.count;
+      // A walk ends in its own edge's end, passes points of the other disc, and crosses edges.
       const int to = is_last ? merged.numbers[disc][own.origin(own.next(h))]
                      : stretch.end.within == Within::kPoint
                          ? merged.numbers[1 - disc][stretch.end.index]
                          : merged.number_of(pair(own.edge(h), other.edge(stretch.end.index)));
+      // A stretch in a triangle has a part of it on either side, one with each triangle of its own
+      // disc.
       if (stretch.triangle >= 0) {
         sides.push_back({pair(left, stretch.triangle), from, to});
         sides.push_back({pair(right, stretch.triangle), to, from});
@@ -58,6 +61,7 @@ void add_border_sides(const DiscPair& maps, const CommonBorder& border, const Me
   const std::size_t count = border.points.size();
   for (std::size_t i = 0; i < count; ++i) {
     const CommonBorderPoint& at = border.points[i];
+    // In one direction: beyond the border there is nothing.
     sides.push_back({{maps[0]->disc().topology().face(at.half_edges[0]),
                       maps[1]->disc().topology().face(at.half_edges[1])},
                      number(at),
@@ -87,6 +91,8 @@ std::vector<int> outline(const PartSide* begin, const PartSide* end,
 
 }  // namespace
 
+// The common part of a triangle of each disc is convex. Its sides are stretches of walks and of the
+// border; those of one pair of triangles, put in order, are its outline.
 MergedDiscs::MergedDiscs(const DiscMap& first, const DiscMap& second) {
   const DiscPair maps{&first, &second};
   const CommonBorder border = common_border(first, second);
@@ -107,10 +113,12 @@ MergedDiscs::MergedDiscs(const DiscMap& first, const DiscMap& second) {
   std::vector<PartSide> sides;
   for (int disc = 0; disc < 2; ++disc) add_inner_sides(maps, traces[disc], disc, merged, sides);
   add_border_sides(maps, border, merged, sides);
+  // Sides of one part come together; in which order is no matter, for outline() follows their ends.
   std::sort(sides.begin(), sides.end(),
             [](const PartSide& a, const PartSide& b) { return a.triangles < b.triangles; });
   const PartSide* const end = sides.data() + sides.size();
   for (const PartSide* side = sides.data(); side != end;) {
+    // Sides of one pair of triangles are those of their common part.
     const PartSide* next = side;
     while (next != end && next->triangles == side->triangles) ++next;
     // A part is convex, and has no corner on a side: any fan will do.

@@ -16,6 +16,7 @@ void find_crossings(const std::array<const DiscMap*, 2>& maps, const EdgeTraces&
   for (const EdgeTrace& path : second.paths) {
     // The last stretch ends at a point of the second disc.
     for (int i = path.begin; i + 1 < path.begin + path.count; ++i) {
+      // The second disc's walks alone: those of the first meet the same edges.
       const Location& at = second.stretches[i].end;
       if (at.within != Within::kEdge) continue;
       crossings.push_back({t.edge(at.index), u.edge(path.half_edge)});
@@ -69,6 +70,7 @@ class PlacedDisc {
  private:
   static Vector3d on_edge(const MappedEdge& edge, const Vector2d& place) {
     const Vector2d whole = edge.places[1] - edge.places[0];
+    // By the longer axis, along which rounding of the place counts least.
     const int axis = std::abs(whole.x()) >= std::abs(whole.y()) ? 0 : 1;
     const double along = (place - edge.places[0])[axis] / whole[axis];
     return edge.points[0] + along * (edge.points[1] - edge.points[0]);
@@ -80,6 +82,7 @@ class PlacedDisc {
     const double at_b = orientation(places_[c], places_[a], place);
     const double at_c = orientation(places_[a], places_[b], place);
     const std::vector<Vector3d>& p = disc_.points();
+    // As differences from a corner: a coordinate that all three have alike stays bit by bit.
     return p[a] + (at_b * (p[b] - p[a]) + at_c * (p[c] - p[a])) / (at_a + at_b + at_c);
   }
 
@@ -90,6 +93,7 @@ class PlacedDisc {
 
 // How far along an edge it crosses another one.
 double crossing_along(const MappedEdge& edge, const MappedEdge& other) {
+  // Distances of both ends from the other edge's line, times its length.
   const double before = std::abs(orientation(other.places[0], other.places[1], edge.places[0]));
   const double after = std::abs(orientation(other.places[0], other.places[1], edge.places[1]));
   return before / (before + after);
@@ -98,6 +102,7 @@ double crossing_along(const MappedEdge& edge, const MappedEdge& other) {
 }  // namespace
 
 int MergedPoints::number_of(const std::array<int, 2>& edges) const {
+  // An edge of each disc crosses an edge of the other once at most, and crossings are sorted.
   const auto found = std::lower_bound(crossings.begin(), crossings.end(), edges);
   if (found == crossings.end() || *found != edges) {
     throw std::logic_error("Two walks do not cross in the same edges.");
@@ -133,6 +138,7 @@ MergedPositions merged_positions(const std::array<const DiscMap*, 2>& maps,
     for (std::size_t i = 0; i < traces[disc].locations.size(); ++i) {
       const int number = merged.numbers[disc][i];
       const Vector2d& place = border.places[disc][i];
+      // Points of both discs are written twice, the same each time.
       positions.places[number] = place;
       positions.points[disc][number] = maps[disc]->disc().points()[i];
       positions.points[1 - disc][number] =

@@ -17,6 +17,7 @@ ConvexPolygon::ConvexPolygon(std::vector<Vector2d> corners) : corners_(std::move
                                 " corners: give it three or more.");
   }
   for (int k = 0; k < count; ++k) {
+    // Far below the largest coordinates for which orientation() is exact.
     if (corners_[k].allFinite() && corners_[k].cwiseAbs().maxCoeff() < 1e100) continue;
     throw std::invalid_argument("Corner " + std::to_string(k) +
                                 " of the polygon is no place: give it two numbers below 1e100.");
@@ -46,6 +47,7 @@ ConvexPolygon ConvexPolygon::on_circle(const std::vector<double>& lengths) {
   std::vector<Vector2d> corners;
   double before = 0.0;
   for (double length : lengths) {
+    // Corners on a circle, in order, turn to the left whatever their arcs.
     const double angle = 2.0 * std::numbers::pi * (before / sum);
     corners.emplace_back(std::cos(angle), std::sin(angle));
     before += length;
@@ -61,6 +63,7 @@ double ConvexPolygon::size() const {
 
 Vector2d ConvexPolygon::on_side(int side, double along) const {
   const Vector2d &from = corners_[side], &to = corners_[(side + 1) % side_count()];
+  // What is added to the beginning may round beside the end.
   if (along == 1.0) return to;
   return from + along * (to - from);
 }

@@ -20,6 +20,7 @@ DiscMap::DiscMap(const TriangleDisc& disc, std::vector<int> corners, ConvexPolyg
                                 " corners, the polygon " + std::to_string(polygon_.side_count()) +
                                 ": give it as many.");
   }
+  // Lengths along a side are shares of it: the border keeps its proportions.
   for (const BorderPoint& at : border_) places_[at.point] = polygon_.on_side(at.side, at.along);
   place_inner_points(kind);
   check_triangles();
@@ -39,6 +40,7 @@ void DiscMap::place_inner_points(WeightKind kind) {
   Eigen::MatrixX2d right = Eigen::MatrixX2d::Zero(size, 2);
   for (int row = 0; row < size; ++row) {
     entries.emplace_back(row, row, 1.0);
+    // A point less the mean of its neighbours is zero; neighbours on the border are known.
     for (const NeighbourWeight& of : neighbour_weights(disc(), inner[row], kind)) {
       if (unknown[of.point] >= 0) {
         entries.emplace_back(row, unknown[of.point], -of.weight);
@@ -55,6 +57,7 @@ void DiscMap::place_inner_points(WeightKind kind) {
     throw std::invalid_argument(
         "Inner points hang together with the border by triangles without area alone: mend these.");
   }
+  // Both coordinates with one factorisation.
   const Eigen::MatrixX2d solution = factors.solve(right);
   for (int row = 0; row < size; ++row) places_[inner[row]] = solution.row(row).transpose();
 }
@@ -62,6 +65,8 @@ void DiscMap::place_inner_points(WeightKind kind) {
 void DiscMap::check_triangles() const {
   for (int t = 0; t < disc().triangle_count(); ++t) {
     const Triangle corners = disc().triangle(t);
+    // In exact arithmetic none turns over (Tutte 1963; Floater 1997): one that does is too thin for
+    // doubles.
     const auto& [a, b, c] = corners;
     if (orientation(places_[a], places_[b], places_[c]) > 0.0) continue;
     throw std::invalid_argument(

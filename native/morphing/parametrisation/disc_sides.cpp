@@ -8,6 +8,7 @@
 namespace hull::morphing {
 namespace {
 
+// Ten times what is one place where borders are merged.
 constexpr double kLeastBorderEdge = 1e-8;  // of its side
 
 // Where each corner is along the border, as an index of disc.border().
@@ -29,6 +30,8 @@ std::vector<int> corner_places(const TriangleDisc& disc, const std::vector<int>&
       throw std::invalid_argument(name + ", is not on the border: name a point that is.");
     }
     places.push_back(place[point]);
+    // Along the border from the first corner on corners come in rising order, all within once
+    // around.
     const int from_first = (places.back() - places.front() + count) % count;
     if (from_first <= last) {
       throw std::invalid_argument(name +
@@ -46,6 +49,7 @@ std::vector<std::vector<int>> sides_of(const TriangleDisc& disc, const std::vect
   const int count = static_cast<int>(disc.border().size());
   std::vector<std::vector<int>> sides(places.size());
   for (std::size_t k = 0; k < places.size(); ++k) {
+    // The last side ends at the first corner.
     const int end = places[(k + 1) % places.size()];
     for (int i = places[k]; i != end; i = (i + 1) % count) sides[k].push_back(disc.border()[i]);
   }
@@ -66,6 +70,7 @@ double length_of(const TriangleDisc& disc, const std::vector<int>& side) {
 // Of each point the side that begins there or has it within it, or -1; a corner ends another one.
 bool on_one_side(const std::vector<int>& side_of, const std::vector<char>& is_corner, int sides,
                  int a, int b) {
+  // Inner points are on no side.
   const int s = side_of[a], u = side_of[b];
   if (s < 0 || u < 0) return false;
   return s == u || (is_corner[b] && u == (s + 1) % sides) || (is_corner[a] && s == (u + 1) % sides);
@@ -81,6 +86,7 @@ void add_parts(const Triangle& corners, const std::array<int, 3>& middles,
   if (count == 0) {
     parts.push_back(corners);
   } else if (count == 3) {
+    // Middle i is on the edge from corner i to the next.
     parts.push_back({middles[0], middles[1], middles[2]});
     for (int i = 0; i < 3; ++i) parts.push_back({corner(i), middle(i), middle(i + 2)});
   } else if (count == 1) {
@@ -91,6 +97,7 @@ void add_parts(const Triangle& corners, const std::array<int, 3>& middles,
   } else {
     int i = 0;  // the edge that is whole
     while (middles[i] >= 0) ++i;
+    // The corner between both halved edges, and a quad, which is cut in two.
     parts.push_back({middle(i + 1), corner(i + 2), middle(i + 2)});
     parts.push_back({corner(i), corner(i + 1), middle(i + 1)});
     parts.push_back({corner(i), middle(i + 1), middle(i + 2)});
@@ -107,6 +114,7 @@ std::vector<BorderPoint> border_points(const TriangleDisc& disc, const std::vect
     const double whole = length_of(disc, sides[k]);
     double before = 0.0;
     for (int h : sides[k]) {
+      // A corner is of the side that begins there.
       points.push_back({t.origin(h), h, static_cast<int>(k), before / whole});
       const double length = edge_length(disc, h);
       if (length < kLeastBorderEdge * whole) {
@@ -138,10 +146,12 @@ SplitDisc split_chords(const TriangleDisc& disc, const std::vector<int>& corners
   SplitDisc split{disc, {}};
   std::vector<Vector3d> points = disc.points();
   std::vector<int> middle(t.edge_count(), -1);
+  // Once is enough: new points are inside, and no edge to one joins two points of a side.
   for (int h = 0; h < t.half_edge_count(); ++h) {
     if (t.twin(h) < 0 || !t.is_edge_front(h)) continue;
     const int a = t.origin(h), b = t.origin(t.next(h));
     if (!on_one_side(side_of, is_corner, static_cast<int>(corners.size()), a, b)) continue;
+    // By edges: both triangles of one have the same point.
     middle[t.edge(h)] = static_cast<int>(points.size());
     points.push_back(0.5 * (disc.points()[a] + disc.points()[b]));
     split.split_edges.push_back({a, b});

@@ -30,6 +30,7 @@ Star star_of(const TriangleDisc& disc, int point) {
   do {
     star.neighbours.push_back(t.origin(t.next(h)));
     star.edges.push_back(disc.points()[star.neighbours.back()] - disc.points()[point]);
+    // Around an inner point the turn comes back to its beginning.
     h = t.twin(t.prev(h));
   } while (h != begin);
   return star;
@@ -40,6 +41,7 @@ std::vector<double> flat_directions(const Star& star, int point) {
   std::vector<double> directions{0.0};
   for (int k = 0; k < star.size(); ++k) {
     const Vector3d &e = star.edges[k], &f = star.edges[star.after(k)];
+    // By sine and cosine: near 0 and pi either alone loses half the digits.
     directions.push_back(directions.back() + std::atan2(e.cross(f).norm(), e.dot(f)));
   }
   if (!(directions.back() > 0.0)) {
@@ -48,6 +50,7 @@ std::vector<double> flat_directions(const Star& star, int point) {
   }
   const double scale = 2.0 * std::numbers::pi / directions.back();
   for (double& direction : directions) direction *= scale;
+  // No gap is left by rounding before the first edge.
   directions.back() = 2.0 * std::numbers::pi;
   return directions;
 }
@@ -80,6 +83,7 @@ std::vector<double> shape_preserving(const Star& star, int point) {
                    Vector2d(std::cos(directions[k]), std::sin(directions[k])));
   }
   std::vector<double> weights(count, 0.0);
+  // Opposite to each of three are both others: all means are one.
   if (count == 3) {
     add_barycentric(flat, {0, 1, 2}, 1, weights);
     return weights;
@@ -89,7 +93,10 @@ std::vector<double> shape_preserving(const Star& star, int point) {
     double opposite = directions[l] + std::numbers::pi;
     if (opposite >= 2.0 * std::numbers::pi) opposite -= 2.0 * std::numbers::pi;
     const auto beyond = std::upper_bound(directions.begin(), directions.end(), opposite);
+    // The last of the directions is the first edge again, and begins no sector.
     int r = std::min(static_cast<int>(beyond - directions.begin()) - 1, count - 1);
+    // A sector has pi at most, as no angle in space is more than the others together; of one that
+    // has, the ray opposite to its edge may by rounding be found within.
     if (r == l) r = star.after(l);
     if (star.after(r) == l) r = (r + count - 1) % count;
     add_barycentric(flat, {l, r, star.after(r)}, count, weights);
@@ -102,6 +109,7 @@ std::vector<double> mean_value(const Star& star, int point) {
   std::vector<double> half_tangents;
   for (int k = 0; k < count; ++k) {
     const Vector3d &e = star.edges[k], &f = star.edges[star.after(k)];
+    // tan(a / 2) = sin a / (1 + cos a), by the product of both lengths.
     const double cosine = e.norm() * f.norm() + e.dot(f);
     if (!(cosine > 0.0)) {
       throw std::invalid_argument("The triangle of points " + std::to_string(point) + ", " +
@@ -133,6 +141,7 @@ std::vector<NeighbourWeight> neighbour_weights(const TriangleDisc& disc, int poi
   const Star star = star_of(disc, point);
   const std::vector<double> weights = weights_of(star, point, kind);
   double sum = 0.0;
+  // Barycentric ones sum to 1 but for rounding; the others to anything.
   for (double weight : weights) sum += weight;
   std::vector<NeighbourWeight> result;
   for (int k = 0; k < star.size(); ++k) {

@@ -45,16 +45,20 @@ PlaceSearch::PlaceSearch(const DiscMap& map) : map_(map) {
   }
   std::vector<int> triangles(count);
   std::iota(triangles.begin(), triangles.end(), 0);
+  // A binary tree has a node less than twice its leaves.
   nodes_.reserve(2 * static_cast<std::size_t>(count));
   build(triangles.data(), triangles.data() + count, boxes);
 }
 
 int PlaceSearch::build(int* begin, int* end, const std::vector<Eigen::AlignedBox2d>& boxes) {
   const int index = static_cast<int>(nodes_.size());
+  // A leaf, unless it is divided below.
   nodes_.push_back({{}, -1, *begin});
   for (const int* t = begin; t != end; ++t) nodes_[index].box.extend(boxes[*t]);
   if (end - begin == 1) return index;
   const int axis = nodes_[index].box.sizes().x() >= nodes_[index].box.sizes().y() ? 0 : 1;
+  // Half of them to either side, so that no triangulation makes the tree deeper than the logarithm
+  // of its triangles.
   int* middle = begin + (end - begin) / 2;
   std::nth_element(begin, middle, end,
                    [&](int s, int t) { return boxes[s].center()[axis] < boxes[t].center()[axis]; });
@@ -71,12 +75,14 @@ DiscPlace PlaceSearch::find(const Vector2d& place) const {
   while (!waiting.empty()) {
     const Node& node = nodes_[waiting.back()];
     waiting.pop_back();
+    // Boxes of neighbours overlap, so that several leaves may have to be asked.
     if (!node.box.contains(place)) continue;
     if (node.left >= 0) {
       waiting.push_back(node.left);
       waiting.push_back(node.right);
       // On a common edge the triangle with the lowest number, however the tree was built.
     } else if (node.right < found.triangle) {
+      // Signs of areas are exact: each place within the border has a triangle.
       const std::array<double, 3> areas = areas_at(map_, node.right, place);
       if (std::min({areas[0], areas[1], areas[2]}) >= 0.0) found = {node.right, areas};
     }
@@ -100,6 +106,7 @@ DiscPlace PlaceSearch::on_border(const Vector2d& place) const {
     least = distance;
     const int corner = at.half_edge - t.first_half_edge(t.face(at.half_edge));
     found = {t.face(at.half_edge), {0.0, 0.0, 0.0}};
+    // The third corner, off the border, counts for nothing.
     found.weights[corner] = 1.0 - along;
     found.weights[(corner + 1) % 3] = along;
   }

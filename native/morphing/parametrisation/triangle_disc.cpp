@@ -42,6 +42,7 @@ void check_one_part(const mesh::Topology& t) {
     const int h = t.first_half_edge(waiting.back());
     waiting.pop_back();
     for (int side = h; side < h + 3; ++side) {
+      // Over edges alone: what meets in a point is not joined.
       if (t.twin(side) < 0 || seen[t.face(t.twin(side))]) continue;
       seen[t.face(t.twin(side))] = 1;
       waiting.push_back(t.face(t.twin(side)));
@@ -59,6 +60,7 @@ std::vector<int> border_from(const mesh::Topology& t, int begin) {
   int h = begin;
   do {
     border.push_back(h);
+    // The outgoing half-edge of a border point is that along the border.
     h = t.outgoing(t.origin(t.next(h)));
   } while (h != begin);
   return border;
@@ -68,6 +70,7 @@ std::vector<int> only_border(const mesh::Topology& t) {
   std::vector<int> border;
   std::vector<char> is_on_it(t.vertex_count(), 0);
   for (int point = 0; point < t.vertex_count(); ++point) {
+    // From each border point that no border has come by yet.
     if (t.twin(t.outgoing(point)) >= 0 || is_on_it[point]) continue;
     if (!border.empty()) {
       refuse("The triangles have more than one border: points " +
@@ -89,6 +92,7 @@ TriangleDisc::TriangleDisc(std::vector<Vector3d> points, const std::vector<Trian
   check_points_and_edges(mesh_);
   check_one_part(t);
   border_ = only_border(t);
+  // In one part, with one border: each handle takes 2 from the 1 of a disc.
   if (t.vertex_count() - t.edge_count() + t.face_count() != 1) {
     refuse("The triangles have one border, but a handle: cut the surface along the handle.");
   }

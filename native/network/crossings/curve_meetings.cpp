@@ -30,6 +30,7 @@ double length_between(const NurbsCurve& curve, double low, double high, int step
 // The nearest pair of a coherent stretch: downhill from each of its zones.
 CurveMeeting nearest_of(const NurbsCurve& first, const NurbsCurve& second,
                         const std::vector<NearZone>& zones) {
+  // A stretch may have several minima, as where the curves cross twice within the reach.
   std::optional<CurveMeeting> best;
   for (const NearZone& zone : zones) {
     const auto [s, t] = nearest_pair(first, second, {zone.first_nearest, zone.second_nearest});
@@ -43,6 +44,7 @@ CurveOverlap stretch_of(const NurbsCurve& first, const NurbsCurve& second,
                         const std::vector<NearZone>& zones) {
   const NearZone& lowest = *std::ranges::min_element(zones, {}, &NearZone::first_low);
   const NearZone& highest = *std::ranges::max_element(zones, {}, &NearZone::first_high);
+  // The second curve may run against the first: its ends may be in other zones.
   const double low = std::ranges::min(zones, {}, &NearZone::second_low).second_low;
   const double high = std::ranges::max(zones, {}, &NearZone::second_high).second_high;
   const bool is_along = first.evaluate(lowest.first_nearest, 1)
@@ -62,17 +64,20 @@ double longest_touch(const CurveTree& first, const CurveTree& second, double rea
   return std::sqrt(8.0 * reach * size);
 }
 
+// Chords tell where to look, and how long it is; Newton's method on the curves tells the place.
 CurveMeetings curve_meetings(CurveTree& first, CurveTree& second, double reach) {
   CurveMeetings meetings;
   const NurbsCurve &a = first.curve(), &b = second.curve();
   const double longest = longest_touch(first, second, reach);
   for (const auto& zones : coherent_zones(near_zones(first, second, reach))) {
     const CurveOverlap stretch = stretch_of(a, b, zones);
+    // Where curves lie on one another any place is the nearest, but for rounding: that is no point.
     if (stretch.length > longest) {
       meetings.overlaps.push_back(stretch);
       continue;
     }
     const CurveMeeting nearest = nearest_of(a, b, zones);
+    // Zones are of chords and a little wider: the curves themselves decide.
     if (nearest.distance() <= reach) meetings.points.push_back(nearest);
   }
   std::ranges::sort(meetings.points, {}, &CurveMeeting::first);

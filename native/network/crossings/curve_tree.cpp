@@ -15,6 +15,7 @@ Vector3d place_of(const Eigen::RowVector4d& point) {
 double distance_from_chord(const Vector3d& place, const Vector3d& start, const Vector3d& end) {
   const Vector3d chord = end - start;
   const double length = chord.squaredNorm();
+  // From the chord as a segment: a part that turns back has control points on its line, beyond it.
   const double share = length > 0.0 ? std::clamp(chord.dot(place - start) / length, 0.0, 1.0) : 0.0;
   return (place - start - share * chord).norm();
 }
@@ -25,6 +26,7 @@ CurveTree::CurveTree(const NurbsCurve& curve, double flat) : curve_(curve), flat
   if (!(flat > 0.0) || !std::isfinite(flat)) {
     throw std::invalid_argument("The distance within which curves are straight must be above 0.");
   }
+  // From knot to knot, as a part between has one polynomial.
   for (CurvePiece& piece : pieces_of(curve_)) {
     parts_.push_back(part_of(std::move(piece)));
     box_.extend(parts_.back().box);
@@ -36,6 +38,7 @@ CurveTree::Part CurveTree::part_of(CurvePiece piece) const {
   const Eigen::Index last = piece.points.rows() - 1;
   const Vector3d start = place_of(piece.points.row(0)), end = place_of(piece.points.row(last));
   const double middle = 0.5 * (piece.low + piece.high);
+  // With its control points, in whose hull it lies, the curve is as near to the chord.
   bool is_straight = true;
   for (Eigen::Index i = 1; i < last && is_straight; ++i) {
     is_straight = distance_from_chord(place_of(piece.points.row(i)), start, end) <= flat_;
@@ -49,6 +52,7 @@ CurveTree::Part CurveTree::part_of(CurvePiece piece) const {
 int CurveTree::halves_of(int number) {
   const auto at = static_cast<std::size_t>(number);
   if (parts_[at].first < 0) {
+    // Apart from the parts, which may move in memory when others are added.
     CurvePiece first, second;
     parts_[at].piece.split(first, second);
     parts_[at].first = static_cast<int>(parts_.size());

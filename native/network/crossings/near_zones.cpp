@@ -44,6 +44,7 @@ double nearest_on(const Segment& along, const Segment& other) {
 
 // From where it is near to where it no longer is, or the end.
 double limit(const Segment& along, const Segment& other, double from, double to, double reach) {
+  // As the distance is convex, it leaves the reach once only: by halves to 1e-12 of the segment.
   if (other.distance(along.at(to)) <= reach) return to;
   for (int i = 0; i < kHalvings; ++i) {
     const double middle = 0.5 * (from + to);
@@ -66,16 +67,19 @@ std::optional<SegmentZone> near_segments(const Vector3d& first_start, const Vect
   const double s = nearest_on(a, b);
   if (b.distance(a.at(s)) > reach) return std::nullopt;
   const double t = nearest_on(b, a);
+  // The second's nearest place is that of the first's: along parallels t may be anywhere.
   return SegmentZone{
       limit(a, b, s, 0.0, reach), limit(a, b, s, 1.0, reach), s,
       limit(b, a, t, 0.0, reach), limit(b, a, t, 1.0, reach), b.nearest_share(a.at(s))};
 }
 
+// Down both trees at once: pairs of parts whose boxes are near, until both are straight.
 std::vector<NearZone> near_zones(CurveTree& first, CurveTree& second, double reach) {
   std::vector<NearZone> zones;
   std::vector<std::pair<int, int>> pairs;
   // Straight parts are taken for their chords, from which both curves may be flat() away.
   const double far = reach + 2.0 * std::max(first.flat(), second.flat());
+  // Of most pairs of curves this is all that is asked.
   if (first.box().squaredExteriorDistance(second.box()) > far * far) return zones;
   for (int i = 0; i < first.root_count(); ++i) {
     for (int k = 0; k < second.root_count(); ++k) pairs.emplace_back(i, k);
@@ -91,6 +95,7 @@ std::vector<NearZone> near_zones(CurveTree& first, CurveTree& second, double rea
       const auto on = [](const CurvePiece& piece, double share) {
         return piece.low + share * (piece.high - piece.low);
       };
+      // Limits rise on both curves, whichever way they run past one another.
       zones.push_back({on(a.piece, zone->first_low), on(a.piece, zone->first_high),
                        on(a.piece, zone->first_nearest), on(b.piece, zone->second_low),
                        on(b.piece, zone->second_high), on(b.piece, zone->second_nearest)});
@@ -108,6 +113,7 @@ std::vector<NearZone> near_zones(CurveTree& first, CurveTree& second, double rea
 }
 
 std::vector<std::vector<NearZone>> coherent_zones(const std::vector<NearZone>& zones) {
+  // Classes as trees whose ways to the root are halved as they are gone.
   std::vector<std::size_t> root(zones.size());
   std::iota(root.begin(), root.end(), std::size_t{0});
   const auto root_of = [&](std::size_t i) {

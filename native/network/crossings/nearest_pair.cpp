@@ -18,6 +18,7 @@ struct Approach {
   Matrix2d bend;
 };
 
+// Both parameters at once; one that leads beyond its curve's end is left out while it does.
 class PairDescent {
  public:
   PairDescent(const NurbsCurve& first, const NurbsCurve& second) : first_(first), second_(second) {
@@ -34,6 +35,7 @@ class PairDescent {
       bool is_lower = false;
       Vector2d next = at;
       Approach there = here;
+      // A whole step may overshoot. If a small part of it is not lower, only rounding is left.
       for (double share = 1.0; share > 1e-4 && !is_lower; share *= 0.5) {
         next = (at + share * step).cwiseMax(low_).cwiseMin(high_);
         if (next == at) break;
@@ -53,6 +55,7 @@ class PairDescent {
     const Eigen::RowVector3d d = a.row(0) - b.row(0);
     Approach approach;
     approach.half_square = 0.5 * d.squaredNorm();
+    // Of half the square of a(s) - b(t): the derivatives by s and t.
     approach.slope = {d.dot(a.row(1)), -d.dot(b.row(1))};
     const double mixed = -a.row(1).dot(b.row(1));
     approach.bend << a.row(1).squaredNorm() + d.dot(a.row(2)), mixed, mixed,
@@ -82,9 +85,12 @@ class PairDescent {
     const Matrix2d scaled = scale.asDiagonal().inverse() * here.bend * scale.asDiagonal().inverse();
     const Eigen::SelfAdjointEigenSolver<Matrix2d> modes(scaled);
     Vector2d sizes = modes.eigenvalues().cwiseAbs();
+    // Beside a saddle a small eigenvalue would make a step of any length. Near a minimum all of
+    // them stay, so that steps are Newton's own.
     if (modes.eigenvalues()[0] <= 0.0) {
       sizes = sizes.cwiseMax(kLeastSlope * sizes.maxCoeff());
     }
+    // Where curves touch there is one that is rounding.
     sizes = sizes.cwiseMax(1e-14 * sizes.maxCoeff());
     const Vector2d slope = modes.eigenvectors().transpose() * here.slope.cwiseQuotient(scale);
     return -(modes.eigenvectors() * slope.cwiseQuotient(sizes)).cwiseQuotient(scale);

@@ -18,6 +18,7 @@ struct Circle {
 };
 
 NurbsCurve arc_of(const Circle& circle, double angle, const Vector3d& start, const Vector3d& end) {
+  // Rounding is not to make two parts of a quarter circle.
   const int count = std::max(1, static_cast<int>(std::ceil(angle / kQuarter - 1e-9)));
   const double half = 0.5 * angle / count, between = std::cos(half);
   Points3 points(2 * count + 1, 3);
@@ -25,13 +26,18 @@ NurbsCurve arc_of(const Circle& circle, double angle, const Vector3d& start, con
   std::vector<double> knots{0.0};
   for (int i = 0; i <= 2 * count; ++i) {
     const bool is_apex = i % 2 == 1;
+    // Tangents at the ends of an arc of twice the angle a meet at r / cos a, and the arc is the
+    // conic whose weight there is cos a (Koelman 1999, 5.2.1).
     const double reach = is_apex ? 1.0 / between : 1.0;
     points.row(i) = circle.centre + reach * (std::cos(i * half) * circle.first +
                                              std::sin(i * half) * circle.second);
     weights[i] = is_apex ? between : 1.0;
+    // The part's beginning, which is there twice; the first part's is there thrice, by the first
+    // knot.
     if (is_apex) knots.insert(knots.end(), 2, static_cast<double>(i - 1) / (2 * count));
   }
   knots.insert(knots.end(), 3, 1.0);
+  // Bit for bit what was given, as other curves may begin there.
   points.row(0) = start;
   points.row(points.rows() - 1) = end;
   return {2, std::move(knots), std::move(points), std::move(weights)};
@@ -48,12 +54,14 @@ NurbsCurve conic_arc(const Vector3d& start, const Vector3d& apex, const Vector3d
                      double fullness) {
   require_places(start, apex, end);
   const Vector3d a = apex - start, b = end - apex;
+  // Equal ends are refused by this, too: then both ways are one line.
   if (!(a.cross(b).norm() > kStraight * a.norm() * b.norm())) {
     throw std::invalid_argument("The tangents at the ends of a conic must meet at an angle.");
   }
   if (!(fullness > 0.0) || !std::isfinite(fullness)) {
     throw std::invalid_argument("A conic's fullness must be above zero.");
   }
+  // With S = (M + w apex) / (1 + w) for weights 1, w, 1 the fullness is the weight itself.
   Points3 points(3, 3);
   points << start.transpose(), apex.transpose(), end.transpose();
   return {
@@ -67,12 +75,15 @@ NurbsCurve arc_through(const Vector3d& start, const Vector3d& point, const Vecto
     throw std::invalid_argument("The three points of a circular arc are on a straight line.");
   }
   Circle circle;
+  // The circumcentre, from one of the triangle's corners.
   circle.centre = point + (a.squaredNorm() * b - b.squaredNorm() * a).cross(a.cross(b)) /
                               (2.0 * normal.squaredNorm());
   circle.first = start - circle.centre;
   circle.second = normal.normalized().cross(circle.first);
   const Vector3d last = end - circle.centre;
   double angle = std::atan2(last.dot(circle.second), last.dot(circle.first));
+  // The normal is that about which start, point and end turn to the left: so the arc is the one by
+  // way of the point, be it more than half a circle.
   if (angle <= 0.0) angle += 2.0 * std::numbers::pi;
   return arc_of(circle, angle, start, end);
 }
@@ -80,6 +91,7 @@ NurbsCurve arc_through(const Vector3d& start, const Vector3d& point, const Vecto
 NurbsCurve arc_from_tangent(const Vector3d& start, const Vector3d& direction, const Vector3d& end) {
   require_places(start, direction, end);
   const Vector3d chord = end - start;
+  // The part of the direction at right angles to the chord, to which the arc bulges.
   const Vector3d across = chord.cross(direction).cross(chord);
   const double sine = chord.cross(direction).norm(), cosine = chord.dot(direction);
   if (!(sine > kStraight * chord.norm() * direction.norm())) {
@@ -88,6 +100,7 @@ NurbsCurve arc_from_tangent(const Vector3d& start, const Vector3d& direction, co
   }
   // Angle between chord and tangent: half the arc's; the middle of the arc is up by a quarter's.
   const double rise = 0.5 * chord.norm() * std::tan(0.5 * std::atan2(sine, cosine));
+  // The middle of the arc is a third point of it.
   return arc_through(start, 0.5 * (start + end) + rise * across.normalized(), end);
 }
 

@@ -37,6 +37,8 @@ class Ordering {
   void follow(int first) {
     path_ = {first};
     while (!path_.empty()) {
+      // It stays on the path until all its masters are done, and is come back to after each of
+      // them.
       const int curve = path_.back();
       states_[static_cast<std::size_t>(curve)] = State::kBegun;
       const int master = next_master(curve);
@@ -45,6 +47,7 @@ class Ordering {
         continue;
       }
       states_[static_cast<std::size_t>(curve)] = State::kDone;
+      // Behind its masters, which were done before.
       order_.push_back(curve);
       path_.pop_back();
     }
@@ -57,6 +60,7 @@ class Ordering {
         throw std::invalid_argument("The master of curve " + definition.name + " is not there.");
       }
       const State state = states_[static_cast<std::size_t>(master)];
+      // It is on the path, and so depends on the curve.
       if (state == State::kBegun) throw_circle(master);
       if (state == State::kNew) return master;
     }
@@ -65,6 +69,7 @@ class Ordering {
 
   [[noreturn]] void throw_circle(int master) const {
     std::string names;
+    // What leads to the circle is not part of it.
     for (auto at = std::ranges::find(path_, master); at != path_.end(); ++at) {
       names += definitions_[static_cast<std::size_t>(*at)].name + ", slave of ";
     }

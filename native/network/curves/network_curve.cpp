@@ -152,6 +152,7 @@ EndShape Shaping::of_master(const EndCondition& condition, bool is_start) const 
   EndShape shape;
   shape.tangent = in_plane(d1);
   const Vector3d along = is_start ? points[1] - points[0] : end - points[points.size() - 2];
+  // A master runs its own way: its slave's points there tell the sense.
   if (shape.tangent->dot(along) < 0.0) *shape.tangent *= -1.0;
   if (condition.kind == EndCondition::Kind::kSlaveCurvature) {
     // The normal part of the second derivative over the squared speed; in a plane the part there.
@@ -200,6 +201,7 @@ NurbsCurve Shaping::piece(std::size_t from, std::size_t to, const EndShape& star
   };
   // A polynomial of two degrees or one has no end without curvature but on a straight line.
   if (conditions() < 4) options.start.is_straight = options.end.is_straight = false;
+  // Conditions have given rows besides the places: a second derivative takes a quintic.
   options.degree = std::min(start.curvature || end.curvature ? 5 : 3, conditions() - 1);
   const modelling::SmoothCurve smooth =
       named([&] { return modelling::smooth_curve(points, definition_.deviation, options); });
@@ -225,6 +227,7 @@ CurveShape Shaping::free() const {
 std::optional<Vector3d> apex_of(const Vector3d& start, const Vector3d& along, const Vector3d& end,
                                 const Vector3d& back) {
   const double c = along.dot(back), below = 1.0 - c * c;
+  // The square of a sine: tangents within 1e-6 rad of one line have no place where they meet.
   if (!(below > kNoDirection)) return {};
   const Vector3d chord = end - start;
   const double s = (chord.dot(along) - c * chord.dot(back)) / below;

@@ -33,6 +33,7 @@ NurbsCurve::NurbsCurve(int degree, std::vector<double> knots, Points3 points,
                                 std::to_string(points_.rows()) + " control points cannot have " +
                                 std::to_string(knots_.size()) + " knots.");
   }
+  // Sorting by < says nothing of NaN: numbers are looked at first.
   const auto is_number = [](double t) { return std::isfinite(t); };
   const bool is_clamped = knots_.front() == knots_[clamp - 1] &&
                           knots_.back() == knots_[knots_.size() - clamp] &&
@@ -56,7 +57,10 @@ Points3 NurbsCurve::evaluate(double t, int order) const {
   const auto weights = weights_.segment(span - degree_, degree_ + 1);
   Points3 rows(order + 1, 3);
   Eigen::VectorXd below(order + 1);
+  // A row is first the numerator's derivative A^(k); less binomial(k, i) w^(i) C^(k - i) for i from
+  // 1 to k, with the denominator w, it is w C^(k).
   for (int k = 0; k <= order; ++k) {
+    // A quotient goes on beyond the degree of its numerator and denominator.
     if (k > degree_) {
       rows.row(k).setZero();
       below[k] = 0.0;
@@ -79,6 +83,7 @@ Points3 NurbsCurve::evaluate(double t, int order) const {
 NurbsCurve NurbsCurve::reversed() const {
   std::vector<double> knots;
   for (auto knot = knots_.rbegin(); knot != knots_.rend(); ++knot) {
+    // Over the same parameters.
     knots.push_back(begin() + (end() - *knot));
   }
   return {degree_, std::move(knots), points_.colwise().reverse(), weights_.reverse()};
@@ -93,15 +98,18 @@ double NurbsCurve::nearest_parameter(const Vector3d& place) const {
     least = distance;
     best = t;
   };
+  // With both ends, and the middle of all that is halved, the bound falls soon, and most pieces go.
   offer(end());
   std::vector<CurvePiece> pieces = pieces_of(*this);
   Eigen::AlignedBox3d around;
   for (const CurvePiece& piece : pieces) around.extend(piece.box());
+  // An end by size: from the centre of an arc no piece is further than another, and none would go.
   const double small = kSmall * around.diagonal().norm();
   while (!pieces.empty()) {
     const CurvePiece piece = std::move(pieces.back());
     pieces.pop_back();
     const Eigen::AlignedBox3d box = piece.box();
+    // The piece lies in the box of its control points, as their weights are positive.
     if (box.squaredExteriorDistance(place) > least) continue;
     const double middle = 0.5 * (piece.low + piece.high);
     if (box.diagonal().norm() > small && middle > piece.low && middle < piece.high) {
@@ -133,6 +141,8 @@ double NurbsCurve::nearest_in(double low, double high, const Vector3d& place) co
     const double slope = slope_at(t, &bend);
     if (slope == 0.0) return t;
     (slope < 0.0 ? low : high) = t;
+    // Where the slope falls Newton's step leads to a maximum: `low` is outside, so that it is
+    // halved.
     double next = bend > 0.0 ? t - slope / bend : low;
     if (!(next > low && next < high)) next = 0.5 * (low + high);
     if (next == t || !(low < high)) return t;

@@ -9,6 +9,7 @@
 namespace hull::network {
 namespace {
 
+// Edges are struck off first; what is left is numbered anew at the end.
 class Pruning {
  public:
   Pruning(JoinedCurves& joined, const std::vector<CurveShape>& shapes,
@@ -27,6 +28,7 @@ class Pruning {
   const Vector3d& node(int number) const { return joined_.nodes[static_cast<std::size_t>(number)]; }
 
   std::vector<int> edge_counts() const {
+    // An edge from a node to itself counts twice there: a closed curve does not dangle.
     std::vector<int> counts(joined_.nodes.size(), 0);
     for (std::size_t e = 0; e < stays_.size(); ++e) {
       if (!stays_[e]) continue;
@@ -44,10 +46,12 @@ class Pruning {
 
   void cut_dangling() {
     std::vector<std::pair<int, Dangling>> told;
+    // By nodes: the sentence that what dangles next there belongs to.
     std::vector<int> told_at(joined_.nodes.size(), -1);
     // An edge that is cut may leave the one before it dangling.
     for (bool is_changed = true; is_changed;) {
       is_changed = false;
+      // Of the round's beginning: which edges go does not depend on their order.
       const std::vector<int> counts = edge_counts();
       for (std::size_t e = 0; e < stays_.size(); ++e) {
         if (!stays_[e]) continue;
@@ -63,6 +67,7 @@ class Pruning {
           at = static_cast<int>(told.size());
           told.push_back({edge.curve, {node(free), node(root), 0.0}});
         }
+        // Handed on to the root: the edge that is to dangle there goes on with it.
         Dangling& dangling = told[static_cast<std::size_t>(at)].second;
         dangling.root = node(root);
         dangling.length += length_of(edge);
@@ -98,6 +103,7 @@ class Pruning {
       sizes.push_back(spread(joined_.edges[e].from, static_cast<int>(sizes.size()), part_of_node));
     }
     if (sizes.size() < 2) return;
+    // Of parts with as many edges the first stays.
     const int largest = static_cast<int>(std::ranges::max_element(sizes) - sizes.begin());
     std::vector<std::set<int>> curves(sizes.size());
     std::vector<Vector3d> places(sizes.size());
@@ -110,6 +116,7 @@ class Pruning {
       places[static_cast<std::size_t>(part)] = node(joined_.edges[e].from);
     }
     for (std::size_t part = 0; part < sizes.size(); ++part) {
+      // One sentence a part; the largest has none.
       if (!curves[part].empty()) name_apart(curves[part], places[part]);
     }
   }
@@ -124,7 +131,7 @@ class Pruning {
                                 {place}});
   }
 
-  // How many edges hang together with a node.
+  // The ends of edges that hang together with a node; an edge from a node to itself counts as one.
   int spread(int first, int part, std::vector<int>& part_of_node) const {
     std::vector<int> reached{first};
     part_of_node[static_cast<std::size_t>(first)] = part;
@@ -158,6 +165,7 @@ class Pruning {
     for (std::size_t e = 0; e < stays_.size(); ++e) {
       if (!stays_[e]) continue;
       edges.push_back(joined_.edges[e]);
+      // Both ends of an edge that stays have an edge, and so a number.
       for (int* end : {&edges.back().from, &edges.back().to}) {
         *end = number[static_cast<std::size_t>(*end)];
       }

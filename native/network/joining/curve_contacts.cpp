@@ -10,7 +10,8 @@
 namespace hull::network {
 namespace {
 
-constexpr double kAll = 0.99;   // of a length: all of it
+constexpr double kAll = 0.99;  // of a length: all of it
+// Near zones are wider than asked by up to twice this; less of it takes more straight parts.
 constexpr double kFlat = 0.05;  // of the tolerance
 
 class Contacting {
@@ -26,6 +27,7 @@ class Contacting {
       for (int k = i; k < count; ++k) {
         if (known.table && !known.is_changed[static_cast<std::size_t>(i)] &&
             !known.is_changed[static_cast<std::size_t>(k)]) {
+          // A known pair that is not in the table has no contacts, and none is looked for again.
           const auto at = known.table->find({i, k});
           if (at != known.table->end()) table.insert(*at);
           continue;
@@ -64,12 +66,14 @@ class Contacting {
     const int count = static_cast<int>(pieces(curve).size());
     const int last = count - 1;
     for (int a = 0; a < count; ++a) {
+      // Neighbours always meet, in their knuckle, and so do both ends of a closed curve.
       for (int b = a + 2; b < count; ++b) {
         if (!(a == 0 && b == last)) meet(curve, a, curve, b);
       }
     }
     const CurvePlace start = place(curve, 0, pieces(curve).front().curve().begin());
     const CurvePlace end = place(curve, last, pieces(curve).back().curve().end());
+    // A closed curve begins and ends in one node.
     if ((start.place - end.place).norm() <= options_.tolerance) {
       contacts_.joined.push_back({start, end});
     }
@@ -93,6 +97,7 @@ class Contacting {
     for (const CurveTree& tree : pieces(curve)) {
       const NurbsCurve& c = tree.curve();
       Vector3d before = c.point(c.begin());
+      // By as many chords as stretches are measured with, to which it is compared.
       for (int i = 1; i <= 32; ++i) {
         const Vector3d next = c.point(c.begin() + (c.end() - c.begin()) * i / 32.0);
         length += (next - before).norm();
@@ -107,6 +112,7 @@ class Contacting {
     CurveTree& first = pieces(i)[static_cast<std::size_t>(a)];
     CurveTree& second = pieces(k)[static_cast<std::size_t>(b)];
     const double far = options_.near_misses * options_.tolerance;
+    // The wide reach first: where nothing is within it, as of most pairs, that is all.
     const CurveMeetings near = curve_meetings(first, second, far);
     if (near.points.empty() && near.overlaps.empty()) return 0.0;
     const CurveMeetings joined = curve_meetings(first, second, options_.tolerance);
@@ -158,6 +164,7 @@ class Contacting {
       const auto is_in = [&](double t) {
         return t >= stretch.first_low && t <= stretch.first_high;
       };
+      // A wide stretch has many places: of one that is joined nowhere its beginning is told.
       const bool is_joined = std::ranges::any_of(joined.points, is_in, &CurveMeeting::first) ||
                              std::ranges::any_of(joined.overlaps, is_in, &CurveOverlap::first_low);
       if (is_joined) continue;
@@ -178,6 +185,7 @@ class Contacting {
   void name_duplicate(int i, int k) {
     const Vector3d start = contacts_.overlaps.front().places.front();
     const Vector3d end = contacts_.overlaps.back().places.back();
+    // One sentence in place of those of all stretches.
     contacts_.overlaps.clear();
     contacts_.overlaps.push_back({NetworkProblem::Kind::kDuplicate,
                                   "Curves " + name(i) + " and " + name(k) + " are the same, from " +

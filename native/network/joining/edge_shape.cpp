@@ -15,6 +15,7 @@ constexpr double kHalted = 1e-9;  // of a length: the speed of what stands still
 constexpr double kInside = 1e-4;
 constexpr int kChords = 32;  // of which an edge's length is the sum
 
+// What an edge is by itself: numbers of edges and nodes shift where others come or go.
 using EdgeKey = std::tuple<int, int, double, double>;
 
 EdgeKey key_of(const CurveEdge& edge) { return {edge.curve, edge.piece, edge.low, edge.high}; }
@@ -39,6 +40,7 @@ EdgeShape::EdgeShape(const CurveEdge& edge, const NurbsCurve& piece, const Vecto
       from_shift_(from - piece.point(edge.low)),
       to_shift_(to - piece.point(edge.high)),
       length_(0.0) {
+  // The length of what is between the nodes, not of the curve's part.
   Vector3d before = from;
   for (int i = 1; i <= kChords; ++i) {
     const Vector3d next = evaluate(static_cast<double>(i) / kChords, 0).row(0);
@@ -52,6 +54,7 @@ EdgeShape::EdgeShape(const CurveEdge& edge, const NurbsCurve& piece, const Vecto
 
 Points3 EdgeShape::evaluate(double u, int order) const {
   const double width = high_ - low_;
+  // At 1 the end bit for bit, and never beyond it by rounding: the curve may end there, too.
   const double t = u >= 1.0 ? high_ : std::min(low_ + u * width, high_);
   Points3 rows = piece_.evaluate(t, order);
   // Shifts to the nodes fade with a slope of zero at both ends: tangents there stay the piece's.
@@ -59,6 +62,7 @@ Points3 EdgeShape::evaluate(double u, int order) const {
   double scale = 1.0;
   for (int k = 0; k <= order; ++k) {
     const double share = first[k];
+    // Both shares sum to 1, so that their derivatives are opposite.
     const double other = k == 0 ? u * u * (3.0 - 2.0 * u) : -share;
     rows.row(k) = scale * rows.row(k) + (share * from_shift_ + other * to_shift_).transpose();
     scale *= width;
@@ -82,6 +86,7 @@ Vector3d EdgeShape::found_tangent(bool is_start) const {
 }
 
 std::optional<Vector3d> EdgeShape::found_halt() const {
+  // Before the first sample there is no tangent to turn back from.
   Vector3d before = Vector3d::Zero();
   for (int i = 0; i <= kHaltSamples; ++i) {
     const Points3 jet = evaluate(static_cast<double>(i) / kHaltSamples, 1);

@@ -29,6 +29,8 @@ class Classes {
   std::vector<std::size_t> root_;
 };
 
+// Marks are places of curves at which something is; those of a contact have one class from the
+// beginning, and classes that come together along a curve are united. Each class left is a node.
 class Joining {
  public:
   Joining(const std::vector<CurveShape>& shapes, const std::vector<std::string>& names,
@@ -85,6 +87,7 @@ class Joining {
     const auto key = [](const Mark& mark) {
       return std::tuple(mark.at.curve, mark.at.piece, mark.at.parameter, mark.contact);
     };
+    // By contacts, too: so nodes have one numbering where several marks are at one parameter.
     std::ranges::sort(marks_, {}, key);
   }
 
@@ -92,6 +95,8 @@ class Joining {
   void unite_along_curves() {
     Classes classes(class_count_);
     is_one_.assign(marks_.size(), false);
+    // Compared with the mark before alone: a row of meetings, each within the tolerance of the
+    // next, is one node, however long.
     for (std::size_t i = 1; i < marks_.size(); ++i) {
       const CurvePlace &a = marks_[i - 1].at, &b = marks_[i].at;
       if (a.curve != b.curve || (a.place - b.place).norm() > options_.tolerance || is_whole(a, b)) {
@@ -99,6 +104,7 @@ class Joining {
       }
       unite(classes, i);
     }
+    // Where two nodes have become one, others may have a sliver between them that had none.
     for (bool is_changed = true; is_changed;) is_changed = unite_slivers(classes);
     close_loops(classes);
     for (Mark& mark : marks_) mark.contact = classes.of(mark.contact);
@@ -139,6 +145,7 @@ class Joining {
     for (const auto& [ends, at] : gaps) {
       for (std::size_t i : at) {
         for (std::size_t k : at) {
+          // Both ways: the feet of either curve on the other may show it.
           if (i == k || (is_one_[i] && is_one_[k]) || !is_sliver(i, k)) continue;
           unite(classes, i);
           unite(classes, k);
@@ -161,6 +168,7 @@ class Joining {
     for (int part = 1; part < kParts; ++part) {
       const double share = static_cast<double>(part) / kParts;
       const Vector3d place = first.point(a.parameter + share * (b.parameter - a.parameter));
+      // The nearest place of the whole piece may lie beyond the stretch.
       const double foot = std::clamp(second.nearest_parameter(place), c.parameter, d.parameter);
       if ((second.point(foot) - place).norm() > reach) return false;
     }
@@ -175,6 +183,7 @@ class Joining {
     node_of_class_.assign(class_count_, -1);
     std::vector<int> counts;
     for (const Mark& mark : marks_) {
+      // In the order of marks: nodes are numbered along the curves.
       int& node = node_of_class_[mark.contact];
       if (node < 0) {
         node = static_cast<int>(result_.nodes.size());
@@ -196,6 +205,7 @@ class Joining {
       const Vector3d& place = result_.nodes[static_cast<std::size_t>(node)];
       const auto first = marks_.begin() + static_cast<long>(i);
       const auto last = marks_.begin() + static_cast<long>(end);
+      // A curve visits a node once, however many marks it has there.
       const auto best = std::min_element(first, last, [&](const Mark& a, const Mark& b) {
         if (a.is_given != b.is_given) return a.is_given;
         return (a.at.place - place).norm() < (b.at.place - place).norm();
@@ -216,6 +226,7 @@ class Joining {
       const NurbsCurve& on = pieces[static_cast<std::size_t>(piece)];
       const double low = piece == a.piece ? a.parameter : on.begin();
       const double high = piece == b.piece ? b.parameter : on.end();
+      // None between visits at one parameter.
       if (low < high) result_.edges.push_back({a.curve, piece, low, high, a.node, b.node});
     }
   }
@@ -225,6 +236,7 @@ class Joining {
            is_copy_[static_cast<std::size_t>(contact.second.curve)];
   }
 
+  // Curves that part from a common node under a small angle are near one another beside it: no gap.
   bool share_node_near(const Contact& contact) const {
     const double reach = 3.0 * options_.near_misses * options_.tolerance;
     std::vector<int> nodes;

@@ -45,6 +45,8 @@ std::vector<std::string> CurveNetwork::names() const {
 bool CurveNetwork::make_shapes() {
   std::vector<CurveDefinition> definitions;
   for (std::size_t i = 0; i < curves_.size(); ++i) {
+    // Here, where each point off its plane is told with its place: network_curve_shapes() stops at
+    // the first.
     definitions.push_back(curves_[i].definition);
     for (NetworkProblem& off :
          points_off_plane(definitions.back(), static_cast<int>(i), options_.joining.tolerance)) {
@@ -65,6 +67,7 @@ KnownContacts CurveNetwork::known_from(const CurveNetwork& before) const {
   if (!before.contacts_) return {};
   KnownContacts known{before.contacts_, {}};
   for (std::size_t i = 0; i < shapes_.size(); ++i) {
+    // Contacts have texts with the curves' names.
     known.is_changed.push_back(shapes_[i].pieces != before.shapes_[i].pieces ||
                                name(static_cast<int>(i)) != before.name(static_cast<int>(i)));
   }
@@ -91,14 +94,17 @@ CurveNetwork CurveNetwork::with_curves(std::vector<NetworkCurve> curves) const {
 
 void CurveNetwork::join(const CurveNetwork* before) {
   const KnownContacts known = before == nullptr ? KnownContacts{} : known_from(*before);
+  // Kept, for a state of the network that follows from this one.
   contacts_ = std::make_shared<const ContactTable>(
       contact_table(shapes_, names(), options_.joining, known));
   NetworkFrame frame;
   frame.joined = join_curves(shapes_, names(), options_.joining, *contacts_);
+  // Tangent planes are brought from node to node along edges, and regions are faces of one shell.
   keep_connected(frame.joined, shapes_, names());
   problems_ = frame.joined.problems;
   if (frame.joined.edges.empty()) return;
   const NetworkFrame* known_frame = before == nullptr ? nullptr : before->frame_.get();
+  // Without known contacts nothing is said of which curves have changed.
   frame.shapes = known_frame == nullptr || known.is_changed.empty()
                      ? edge_shapes(frame.joined, shapes_)
                      : edge_shapes(frame.joined, shapes_,
@@ -114,6 +120,7 @@ void CurveNetwork::join(const CurveNetwork* before) {
   }
   std::vector<bool> knuckles;
   for (const NetworkCurve& curve : curves_) knuckles.push_back(is_knuckle(curve));
+  // Last, as planes are parted where faces are beyond the border.
   frame.normals = edge_normals(frame.joined, frame.shapes, frame.order, frame.faces, knuckles,
                                options_.plane_angle);
   *frame_ = std::move(frame);
@@ -128,6 +135,7 @@ void CurveNetwork::join(const CurveNetwork* before) {
 void CurveNetwork::name_halts() {
   for (std::size_t e = 0; e < frame_->shapes.size(); ++e) {
     const std::optional<Vector3d> place = frame_->shapes[e].halt();
+    // Of all edges, as check_region() asks for those of its region.
     has_halt_.push_back(place.has_value());
     if (place) problems_.push_back(halt(frame_->joined.edges[e].curve, *place, names()));
   }
@@ -150,6 +158,7 @@ void CurveNetwork::name_planes() {
   for (std::size_t node = 0; node < frame_->joined.nodes.size(); ++node) {
     const TangentPlanes& planes = frame_->normals.planes[node];
     if (planes.has_planes) continue;
+    // All that meet there: which of them is to be moved is for the user to say.
     std::set<int> curves;
     for (const EdgeEnd& end : frame_->order.around[node]) {
       curves.insert(frame_->joined.edges[static_cast<std::size_t>(end.edge)].curve);
@@ -185,8 +194,10 @@ void CurveNetwork::name_tees() {
     const auto curve_of = [&](const EdgeEnd& end) {
       return frame.joined.edges[static_cast<std::size_t>(end.edge)].curve;
     };
+    // Sectors beyond the border have no normal.
     const bool is_inner = std::ranges::all_of(frame.normals.planes[node].normals,
                                               [](const Vector3d& n) { return !n.isZero(0.0); });
+    // Two ends of the curve that passes, one of that which ends.
     if (!is_inner || around.size() != 3) continue;
     for (const EdgeEnd& end : around) {
       const int curve = curve_of(end);
@@ -225,6 +236,7 @@ void CurveNetwork::check_region(int region) const {
   }
   for (const RegionSide& side : sides) {
     for (const RegionEdge& edge : side) {
+      // Ribbons are along and across the side's direction.
       if (!has_halt_[static_cast<std::size_t>(edge.edge)]) continue;
       throw std::invalid_argument(
           "Region " + std::to_string(region) + " has an edge of curve " +

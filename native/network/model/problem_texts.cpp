@@ -32,6 +32,7 @@ std::vector<NetworkProblem> points_off_plane(const CurveDefinition& definition, 
                                              double tolerance) {
   std::vector<NetworkProblem> off;
   if (!definition.plane) return off;
+  // A plane without a normal is told with the curve's shape.
   const double length = definition.plane->normal.norm();
   for (std::size_t i = 0; i < definition.points.size() && length > 0.0; ++i) {
     const Vector3d& point = definition.points[i];
@@ -54,6 +55,7 @@ NetworkProblem wrong_order(const JoinedCurves& joined, const std::vector<EdgeSha
   std::set<int> curves;
   for (int edge : edges) {
     curves.insert(joined.edges[static_cast<std::size_t>(edge)].curve);
+    // The middle: at its nodes an edge is not to be told from others.
     problem.places.emplace_back(shapes[static_cast<std::size_t>(edge)].evaluate(0.5, 0).row(0));
   }
   problem.curves.assign(curves.begin(), curves.end());

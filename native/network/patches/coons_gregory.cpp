@@ -30,6 +30,7 @@ Border border_of(const RibbonedSide& side, const Dual& t, bool is_turned, bool i
     SideJet jet = side(is_turned ? 1.0 - u : u);
     jet.slope *= along_sense;
     jet.ribbon *= across_sense;
+    // The mixed derivative turns with both.
     jet.ribbon_slope *= along_sense * across_sense;
     return jet;
   };
@@ -58,6 +59,8 @@ PatchPoint coons_gregory(const std::vector<RibbonedSide>& sides, const Vector2d&
                                       border_of(sides[1], v, false, false)};
   const auto hu = hermite(u), hv = hermite(v);
   const std::array<Dual, 2> from_u{u, 1.0 - u}, from_v{v, 1.0 - v};
+  // A Boolean sum: the surface between two sides, that between the others, less what both have in
+  // common, the corners with their slopes and twists.
   DualPlace sum;
   for (std::size_t i : {0u, 1u}) {
     sum = sum + hu[i] * along_v[i].place + hu[i + 2] * along_v[i].across;
@@ -65,6 +68,8 @@ PatchPoint coons_gregory(const std::vector<RibbonedSide>& sides, const Vector2d&
   }
   for (std::size_t i : {0u, 1u}) {
     for (std::size_t k : {0u, 1u}) {
+      // At the corner i of u and k of v: the ribbon of the side along u is the slope along v, and
+      // the other way round.
       const SideJet& at_u = i == 0 ? along_u[k].at_low : along_u[k].at_high;
       const SideJet& at_v = k == 0 ? along_v[i].at_low : along_v[i].at_high;
       sum = sum - hu[i] * hv[k] * fixed(at_u.point);

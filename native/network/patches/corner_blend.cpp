@@ -12,6 +12,7 @@ namespace {
 Dual distance_from(const Vector2d& from, const Vector2d& to, const Vector2d& place) {
   const Vector2d along = (to - from).normalized();
   const Vector2d inwards(-along[1], along[0]);
+  // On the side itself rounding is not to make it less than zero.
   return {std::max(0.0, inwards.dot(place - from)), inwards};
 }
 
@@ -38,6 +39,7 @@ FromCorner from_corner(const RibbonedSide& side, const Dual& t, bool is_turned) 
 DualPlace corner_patch(const Corner& corner, const Dual& u, const Dual& v) {
   const FromCorner after = from_corner(corner.after, u, false);
   const FromCorner before = from_corner(corner.before, v, true);
+  // Off both sides along their ribbons, less the plane and the twist that both have at the corner.
   const DualPlace ruled = before.place + u * before.ribbon + after.place + v * after.ribbon;
   const Dual sum = u + v;
   const Dual share = sum.value > 0.0 ? v / sum : Dual{0.5, Vector2d::Zero()};
@@ -62,9 +64,14 @@ PatchPoint corner_blend(const std::vector<RibbonedSide>& sides,
     const std::size_t before = (j + count - 1) % count;
     Dual weight{1.0, Vector2d::Zero()};
     for (std::size_t i = 0; i < count; ++i) {
+      // Squared, so that on all other sides the corner's patch counts for nothing with its slope as
+      // well: a side is met, in its tangent plane, by the patches at its ends alone.
       if (i != j && i != before) weight = weight * d[i] * d[i];
     }
+    // There two distances whose sum divides may both be zero, too.
     if (!(weight.value > 0.0)) continue;
+    // On side j u goes from 0, where the side before it ends, to 1, where the next one begins; v on
+    // the side before from 0, where side j begins, backwards to 1.
     const std::size_t next = (j + 1) % count, second_before = (j + count - 2) % count;
     const Dual u = d[before] / (d[before] + d[next]), v = d[j] / (d[second_before] + d[j]);
     sum = sum + weight * corner_patch({sides[j], sides[before]}, u, v);

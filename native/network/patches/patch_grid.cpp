@@ -30,6 +30,7 @@ PatchGrid ring_grid(const std::vector<Vector2d>& domain, int count) {
   for (const Vector2d& corner : domain) centre += corner / sides;
   PatchGrid grid{{centre}, {}};
   const auto number = [&](int ring, int side, int i) {
+    // After the centre there are rings of 1, 2, ... places a side.
     if (ring == 0) return 0;
     return 1 + sides * ring * (ring - 1) / 2 + (side * ring + i) % (sides * ring);
   };
@@ -40,10 +41,12 @@ PatchGrid ring_grid(const std::vector<Vector2d>& domain, int count) {
       const Vector2d& b = domain[static_cast<std::size_t>((side + 1) % sides)];
       for (int i = 0; i < ring; ++i) {
         const Vector2d border = a + static_cast<double>(i) / ring * (b - a);
+        // By way of the centre rounding would put places of the border beside it.
         grid.places.emplace_back(ring == count ? border
                                                : Vector2d(centre + reach * (border - centre)));
         grid.triangles.push_back(
             {number(ring, side, i), number(ring, side, i + 1), number(ring - 1, side, i)});
+        // On each side a ring has one triangle less that stands on the ring within.
         if (i + 1 < ring) {
           grid.triangles.push_back({number(ring, side, i + 1), number(ring - 1, side, i + 1),
                                     number(ring - 1, side, i)});

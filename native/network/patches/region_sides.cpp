@@ -24,6 +24,7 @@ Vector3d way_out(const NetworkFrame& frame, const RegionEdge& side) {  // at its
 
 bool turns(const NetworkFrame& frame, const RegionEdge& side, const RegionEdge& next) {
   const Vector3d to = way_out(frame, side), from = way_in(frame, next);
+  // By sine and cosine: of small angles either alone tells less.
   return std::atan2(to.cross(from).norm(), to.dot(from)) > kPassing;
 }
 
@@ -46,6 +47,7 @@ class SideCurve {
   };
 
   Jet at(double u) const {
+    // Among inner ends, so that 0 is of the first edge and 1 of the last.
     const auto above = std::upper_bound(ends_.begin() + 1, ends_.end() - 1, u);
     const auto part = static_cast<std::size_t>(above - ends_.begin()) - 1;
     const RegionEdge& edge = side_[part];
@@ -53,6 +55,7 @@ class SideCurve {
     const double width = ends_[part + 1] - ends_[part];
     const double share = std::clamp((u - ends_[part]) / width, 0.0, 1.0);
     const double t = edge.is_along ? share : 1.0 - share;
+    // By the side's parameter the edge's runs so fast; each order takes it once more.
     const double speed = (edge.is_along ? 1.0 : -1.0) / width;
     const Points3 jet = frame_->shapes[number].evaluate(t, 2);
     NormalJet normal = (edge.is_along ? frame_->normals.left : frame_->normals.right)[number].at(t);
@@ -79,6 +82,8 @@ struct RibbonEnd {
   Vector3d shift;  // of the side's normal there to that of the two slopes
 };
 
+// Ribbons of neighbours have to be one another's slopes at a corner: so each is led from what it is
+// to be at one end to what it is to be at the other, in the directions of the side's own frame.
 class Ribbon {
  public:
   Ribbon(SideCurve curve, const Vector3d& start_slope, const Vector3d& end_slope)
@@ -90,11 +95,13 @@ class Ribbon {
     const double h1 = u * u * (3.0 - 2.0 * u), h1_slope = 6.0 * u * (1.0 - u);
     const Vector3d normal = jet.normal.normal + (1.0 - h1) * start_.shift + h1 * end_.shift;
     const Vector3d normal_slope = jet.normal.slope + h1_slope * (end_.shift - start_.shift);
+    // At right angles to both, so that the ribbon is in the tangent plane: T of (5.2).
     const NormalJet across =
         unit_jet(normal.cross(tangent.normal),
                  normal_slope.cross(tangent.normal) + normal.cross(tangent.slope));
     const double alpha = (1.0 - u) * start_.along + u * end_.along;
     const double beta = (1.0 - u) * start_.across + u * end_.across;
+    // (5.2), and its derivative.
     return {jet.point, jet.slope, alpha * tangent.normal + beta * across.normal,
             alpha * tangent.slope + beta * across.slope +
                 (end_.along - start_.along) * tangent.normal +
@@ -112,7 +119,9 @@ class Ribbon {
     const double length = across.norm();
     // Neighbours that go on in one line have no plane with it: the normal stays.
     if (!(length > 1e-9 * slope.norm())) return {along, 0.0, Vector3d::Zero()};
+    // The normal of both slopes, to that side where the side's own is.
     const Vector3d own = tangent.cross(across / length);
+    // At a corner of more than half a turn the neighbour's slope is on the side's other side.
     const double sense = own.dot(normal) < 0.0 ? -1.0 : 1.0;
     return {along, sense * length, sense * own - normal};
   }
@@ -139,6 +148,7 @@ std::vector<RegionSide> region_sides(const NetworkFrame& frame,
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const std::size_t next = corners[(i + 1) % corners.size()];
     sides.emplace_back();
+    // From a single corner once all around, to itself.
     for (std::size_t e = corners[i]; sides.back().empty() || e % count != next; ++e) {
       sides.back().push_back(loop[e % count]);
     }
@@ -178,6 +188,7 @@ double onwards(const NetworkFrame& frame, const RegionSide& side, const RegionSi
 
 std::vector<RegionSide> with_short_sides_joined(const NetworkFrame& frame,
                                                 std::vector<RegionSide> sides) {
+  // One after the other, for what is joined may be short no longer.
   while (sides.size() > 4) {
     std::vector<double> lengths;
     for (const RegionSide& side : sides) lengths.push_back(side_length(frame, side));
@@ -216,6 +227,7 @@ std::vector<RibbonedSide> ribboned_sides(std::shared_ptr<const NetworkFrame> fra
   const std::size_t count = curves.size();
   std::vector<RibbonedSide> ribboned;
   for (std::size_t i = 0; i < count; ++i) {
+    // The neighbour before runs towards the corner.
     const Vector3d before = -curves[(i + count - 1) % count].at(1.0).slope;
     const Vector3d after = curves[(i + 1) % count].at(0.0).slope;
     ribboned.emplace_back(Ribbon(curves[i], before, after));

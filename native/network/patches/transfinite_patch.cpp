@@ -37,6 +37,7 @@ RibbonedSide half_of(const RibbonedSide& side, bool is_first) {
     const SideJet whole = side(0.5 * (is_first ? u : 1.0 + u));
     const Vector3d slope = 0.5 * whole.slope, bend = 0.25 * whole.bend;
     const double w = is_first ? u : 1.0 - u, sense = is_first ? 1.0 : -1.0;
+    // With its slope it fades to nothing at the half's other end, where the ribbon is to be met.
     const double share = w * w, rise = 2.0 * sense * w;
     return SideJet{whole.point, slope, (1.0 - share) * whole.ribbon + share * sense * slope,
                    (1.0 - share) * 0.5 * whole.ribbon_slope + share * sense * bend +
@@ -45,6 +46,7 @@ RibbonedSide half_of(const RibbonedSide& side, bool is_first) {
   };
 }
 
+// Two sides have two corners only: a third one in the longer side makes a triangle of them.
 std::vector<RibbonedSide> with_halved_side(const std::vector<RibbonedSide>& sides) {
   const std::size_t longer = side_length(sides[1]) > side_length(sides[0]) ? 1 : 0;
   // The other side's ribbons are slopes of halves at its ends.
@@ -59,6 +61,7 @@ std::vector<RibbonedSide> with_halved_side(const std::vector<RibbonedSide>& side
 
 // The side with what it was at each parameter asked for before.
 RibbonedSide remembering(const RibbonedSide& side) {
+  // By a pointer: the function itself is const, and its copies know the same.
   return [side, known = std::make_shared<std::unordered_map<double, SideJet>>()](double u) {
     const auto found = known->find(u);
     return found != known->end() ? found->second : known->emplace(u, side(u)).first->second;
@@ -78,6 +81,7 @@ TransfinitePatch::TransfinitePatch(std::vector<RibbonedSide> sides) : sides_(std
     throw std::invalid_argument("A patch has two to " + std::to_string(kMostSides) +
                                 " sides, not " + std::to_string(count) + ".");
   }
+  // As given: halves of a side agree by the way they are made.
   check();
   if (count == 2) sides_ = with_halved_side(sides_);
   if (count == 4) {
@@ -97,6 +101,7 @@ void TransfinitePatch::check() const {
   for (std::size_t i = 0; i < sides_.size(); ++i) {
     const std::size_t next = (i + 1) % sides_.size();
     const SideJet a = sides_[i](1.0), b = sides_[next](0.0);
+    // What is no number agrees with nothing.
     if (!((a.point - b.point).norm() <= kAgreement * size)) {
       throw std::invalid_argument("Side " + std::to_string(i) +
                                   " of the patch ends elsewhere than side " + std::to_string(next) +
@@ -118,6 +123,7 @@ PatchPoint TransfinitePatch::at(const Vector2d& place) const {
 
 std::vector<PatchPoint> TransfinitePatch::at_all(const std::vector<Vector2d>& places) const {
   std::vector<RibbonedSide> sides;
+  // Remembered within this call alone: patches may be asked on several threads.
   for (const RibbonedSide& side : sides_) sides.push_back(remembering(side));
   std::vector<PatchPoint> points;
   for (const Vector2d& place : places) points.push_back(point_of(sides, domain_, place));

@@ -17,6 +17,8 @@ struct Side {
   std::vector<bool> is_known;  // of edges: whether fields follow from what is told anywhere
 };
 
+// From planes of nodes to fields along pieces of curves, for both sides of all edges at once: where
+// there is no crease the two come out alike.
 class NormalFields {
  public:
   NormalFields(const JoinedCurves& joined, const std::vector<EdgeShape>& shapes,
@@ -37,6 +39,8 @@ class NormalFields {
     for (std::size_t node = 0; node < joined_.nodes.size(); ++node) set_ends(node);
     for (std::size_t edge = 0; edge < count; ++edge) copy_beyond(edge);
     for (Side* side : {&left_, &right_}) set_slopes(*side);
+    // What passes at a node is known by the field along its curve, and that by nodes that tell: so
+    // fields are made once without what they lend, and once with it.
     bool is_more_told = false;
     for (std::size_t node = 0; node < joined_.nodes.size(); ++node) {
       is_more_told = take_from_passing(node) || is_more_told;
@@ -77,6 +81,8 @@ class NormalFields {
     for (std::size_t i = 0; i < around.size(); ++i) {
       const auto edge = static_cast<std::size_t>(around[i].edge);
       const std::size_t after = i, before = (i + around.size() - 1) % around.size();
+      // What follows an end counterclockwise is to the left of an edge that begins there, and to
+      // the right of one that ends there.
       if (around[i].is_start) {
         left_.fields[edge].start = sectors[after];
         right_.fields[edge].start = sectors[before];
@@ -123,10 +129,13 @@ class NormalFields {
       const std::size_t before = (first + count - 1) % count;
       if (!is_open(first) || (is_open(before) && !planes.is_crease[first])) continue;
       const End passing = end_of(around[first], true);
+      // What none of the passing curve's nodes tells is not told here, either.
       if (!passing.side.is_known[passing.edge]) continue;
       for (std::size_t i = 1; i < count; ++i) {
         const std::size_t at = (first + i) % count;
+        // As far round as nothing is told, and no crease is crossed.
         if (!is_open(at) || planes.is_crease[at]) break;
+        // On both of its sides, which are one surface.
         for (bool is_after : {false, true}) {
           const End inner = end_of(around[at], is_after);
           inner.normal() = passing.normal();
@@ -169,6 +178,7 @@ class NormalFields {
       Span span{e, e, 0.0, side.fields[e], false};
       while (follow(e) && !side.ends_told[e] && !side.starts_told[e + 1]) ++e;
       span.last = e;
+      // By the curve's own parameter, which runs on evenly from edge to edge.
       span.width = joined_.edges[e].high - joined_.edges[span.first].low;
       span.field.end = side.fields[e].end;
       const bool has_start = side.starts_told[span.first], has_end = side.ends_told[e];
@@ -192,6 +202,8 @@ class NormalFields {
     const std::size_t count = spans.size();
     std::vector<Vector3d> rise(count);
     for (std::size_t s = 0; s < count; ++s) {
+      // Slopes by the curve's parameter, by which neighbours are compared; those of edges come
+      // last.
       rise[s] = (spans[s].field.end - spans[s].field.start) / spans[s].width;
     }
     // What normals of nodes differ by, over a short edge, tells nothing of a long one.
@@ -204,6 +216,7 @@ class NormalFields {
     for (std::size_t s = 0; s < count; ++s) {
       const bool has_before = s > 0 && goes_on(s - 1), has_after = goes_on(s);
       const auto at_joint = [&](std::size_t a) {
+        // That of the parabola through the normals at three nodes, at the middle one (Bessel).
         const double one = spans[a].width, other = spans[a + 1].width;
         return Vector3d((other * rise[a] + one * rise[a + 1]) / (one + other));
       };
@@ -227,6 +240,7 @@ class NormalFields {
       const CurveEdge& edge = joined_.edges[e];
       const NormalJet start = span.field.at((edge.low - low) / span.width);
       const NormalJet end = span.field.at((edge.high - low) / span.width);
+      // A part of a cubic is a cubic: dividing it loses nothing.
       const double part = (edge.high - edge.low) / span.width;
       NormalField& field = side.fields[e];
       field.start = start.normal;
@@ -241,6 +255,8 @@ class NormalFields {
     normals_.is_crease.push_back((left.start - right.start).norm() > kSameNormal ||
                                  (left.end - right.end).norm() > kSameNormal);
     if (normals_.is_crease[edge]) return;
+    // Where the curve goes on as a crease its sides have slopes of their own; along this edge there
+    // is one surface.
     left.start_slope = 0.5 * (left.start_slope + right.start_slope);
     left.end_slope = 0.5 * (left.end_slope + right.end_slope);
     right = left;
@@ -257,6 +273,7 @@ class NormalFields {
 }  // namespace
 
 NormalJet NormalField::at(double u) const {
+  // Hermite's cubic, which is of unit length at its ends alone.
   const double w = 1.0 - u;
   const double h0 = w * w * (1.0 + 2.0 * u), h1 = u * u * (3.0 - 2.0 * u);
   const double h2 = u * w * w, h3 = -u * u * w;

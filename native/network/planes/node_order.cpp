@@ -51,6 +51,7 @@ double spread_seen(const Vector3d& normal, const std::vector<Vector3d>& directio
     least_length = std::min(least_length, normal.cross(direction).norm());
   }
   std::ranges::sort(angles);
+  // Around the circle, from the last one to the first.
   double least = angles.front() + kTurn - angles.back();
   for (std::size_t i = 1; i < angles.size(); ++i) {
     least = std::min(least, angles[i] - angles[i - 1]);
@@ -63,6 +64,8 @@ Vector3d view_of(const std::vector<Vector3d>& directions) {
   if (directions.size() == 2 && directions[0].dot(directions[1]) < -kPassesOn) {
     return Vector3d::Zero();
   }
+  // Normals of two edges see flat stars best, axes of the moments those of many edges, and the sum
+  // those that are pointed, as the tip of a cone.
   std::vector<Vector3d> candidates;
   Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
   Vector3d sum = Vector3d::Zero();
@@ -90,6 +93,8 @@ Vector3d view_of(const std::vector<Vector3d>& directions) {
   return best;
 }
 
+// A view by itself has no sense. Senses go from node to node over edges, then the whole is turned
+// outwards; only then is there a counterclockwise order.
 class Ordering3d {
  public:
   Ordering3d(const JoinedCurves& joined, const std::vector<EdgeShape>& shapes)
@@ -108,6 +113,7 @@ class Ordering3d {
       for (const EdgeEnd& end : ends) {
         directions.push_back(shape_of(shapes_, end).tangent_from(end.is_start));
       }
+      // Zero where edges leave it open: such nodes have what is brought to them.
       order_.normals.push_back(view_of(directions));
     }
     spread_senses();
@@ -130,7 +136,10 @@ class Ordering3d {
     const int start =
         first == order_.normals.end() ? 0 : static_cast<int>(first - order_.normals.begin());
     std::vector<bool> is_done(order_.normals.size(), false);
+    // A tree over the edges along which senses are surest: a node where the surface bends sharply
+    // is reached from its other neighbours, if there are any.
     std::priority_queue<Step> steps;
+    // Above all cosines: it comes first, and keeps its sense.
     steps.push({2.0, start, first == order_.normals.end() ? Vector3d::UnitZ() : *first});
     while (!steps.empty()) {
       const Step step = steps.top();
@@ -147,6 +156,8 @@ class Ordering3d {
         if (is_done[static_cast<std::size_t>(next)]) continue;
         const Vector3d carried = carried_along(shape_of(shapes_, end), end.is_start, normal);
         const Vector3d& there = order_.normals[static_cast<std::size_t>(next)];
+        // The other node's sense is open yet: what counts is how near its line is to what is
+        // brought.
         steps.push({is_seen(there) ? std::abs(there.dot(carried)) : 0.0, next, carried});
       }
     }
@@ -156,6 +167,7 @@ class Ordering3d {
     Eigen::AlignedBox3d box;
     for (const Vector3d& node : joined_.nodes) box.extend(node);
     Vector3d centre = box.center();
+    // Seen from the middle of the upper end a hull's bottom faces away as its sides do.
     centre.z() = box.max().z();
     // A half hull has its middle in the centre plane.
     if (box.min().y() >= -kOnCentrePlane * box.diagonal().norm()) centre.y() = 0.0;
@@ -173,6 +185,8 @@ class Ordering3d {
     const auto angle = [&](const EdgeEnd& end) {
       return view.angle(shape_of(shapes_, end).tangent_from(end.is_start));
     };
+    // By angles, then neighbours too close for that by chords: as often as there are ends, around
+    // the circle, which has no first.
     std::ranges::sort(ends, {}, angle);
     const auto is_left_of = [&](const EdgeEnd& a, const EdgeEnd& b) {
       return turned(node, view, b, a) > 0.0;
@@ -190,6 +204,8 @@ class Ordering3d {
   // The angle from one edge to another, by their chords at one distance from the node.
   double turned(std::size_t node, const NodeView& view, const EdgeEnd& from,
                 const EdgeEnd& to) const {
+    // At one distance from the node: an edge that bends would be compared with what another is
+    // further on, else.
     const double reach =
         0.25 * std::min(shape_of(shapes_, from).length(), shape_of(shapes_, to).length());
     const auto seen = [&](const EdgeEnd& end) {
@@ -214,6 +230,7 @@ Vector3d carried_along(const EdgeShape& shape, bool from_start, const Vector3d& 
     return shape.evaluate(from_start ? u : 1.0 - u, 1);
   };
   const auto reflected = [](const Vector3d& v, const Vector3d& across) {
+    // Where two points or tangents are the same there is no plane to reflect in, and no need.
     const double square = across.squaredNorm();
     return square > 0.0 ? Vector3d(v - 2.0 * across.dot(v) / square * across) : v;
   };
@@ -225,6 +242,8 @@ Vector3d carried_along(const EdgeShape& shape, bool from_start, const Vector3d& 
     const double sense = from_start ? 1.0 : -1.0;
     const Vector3d tangent = sense * here.row(1).transpose().normalized();
     const Vector3d next_tangent = sense * next.row(1).transpose().normalized();
+    // In the plane midway between the points, then in that which brings the reflected tangent to
+    // the next: both together turn, and do not turn about the edge.
     const Vector3d first = reflected(carried, chord), first_tangent = reflected(tangent, chord);
     carried = reflected(first, next_tangent - first_tangent);
     here = next;

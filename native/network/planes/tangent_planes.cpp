@@ -13,6 +13,8 @@ namespace {
 // Sines of angles between edges that span no plane: of any, and of those that go on in one another.
 constexpr double kOneLine = 1e-6, kPassing = 0.2588;
 
+// The sectors of a star, run by run from one crease or border to the next, with a plane for each
+// run.
 class Planes {
  public:
   Planes(const NodeStar& star, std::vector<bool> creases)
@@ -23,6 +25,7 @@ class Planes {
   }
 
   TangentPlanes run() {
+    // From a crease on, if there is one: sectors around the star's first end may be of one plane.
     const std::size_t first = first_sector();
     std::size_t at = 0;
     while (at < count_) {
@@ -52,6 +55,7 @@ class Planes {
   void set_plane(std::size_t sector, std::size_t sectors) {
     if (star_.is_beyond[sector]) return;
     std::vector<Vector3d> edges;
+    // Sectors in a row have one end more than there are of them, but for all around.
     for (std::size_t i = 0; i <= std::min(sectors, count_ - 1); ++i) {
       edges.push_back(star_.directions[(sector + i) % count_]);
     }
@@ -68,6 +72,7 @@ class Planes {
   }
 
   Vector3d plane_across(const std::vector<Vector3d>& edges) const {
+    // The line on which both edges are but for a bend.
     const Vector3d along = (edges.front() - edges.back()).normalized();
     return (star_.outwards - star_.outwards.dot(along) * along).normalized();
   }
@@ -80,6 +85,7 @@ class Planes {
       moments += edges[i] * edges[i].transpose();
       for (std::size_t k = 0; k < i; ++k) {
         const Vector3d across = edges[k].cross(edges[i]);
+        // Those two that are furthest from one line.
         if (across.norm() > most) {
           most = across.norm();
           normal = across.normalized();
@@ -89,6 +95,8 @@ class Planes {
     // A curve that only bends a little tells nothing of the plane across it.
     const bool goes_on = edges.front().dot(edges.back()) < 0.0;
     if (most < kOneLine || (goes_on && most < kPassing)) return std::nullopt;
+    // Of more than two that plane off which the squared sines are least; of two it is the product,
+    // which is exact.
     if (edges.size() > 2) {
       const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(moments);
       normal = axes.eigenvectors().col(0);
@@ -122,6 +130,8 @@ TangentPlanes tangent_planes(const NodeStar& star, double limit) {
       // Of one curve rather than of two.
       if (k > i && best) continue;
       std::vector<bool> creases = star.is_crease;
+      // All ends of the curve: a knuckle that comes to a node goes on beyond it along its curve.
+      // Where k = i it is one curve.
       for (std::size_t end : curves[i]) creases[end] = true;
       for (std::size_t end : curves[k]) creases[end] = true;
       TangentPlanes tried = Planes(star, std::move(creases)).run();
@@ -132,6 +142,7 @@ TangentPlanes tangent_planes(const NodeStar& star, double limit) {
   }
   if (best) return *best;
   TangentPlanes apart = Planes(star, std::vector<bool>(star.directions.size(), true)).run();
+  // Sectors by themselves are off next to nothing: what is told is how far larger planes were.
   apart.deviation = planes.deviation;
   apart.has_planes = false;
   return apart;

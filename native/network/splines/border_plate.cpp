@@ -44,6 +44,7 @@ Vector2d centroid(const std::vector<Vector2d>& polygon) {
   double area = 0.0;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Vector2d &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+    // Triangles with the origin, by their signed areas: the polygon may be hollow.
     const double twice = cross(a, b);
     sum += twice / 3.0 * (a + b);
     area += twice;
@@ -68,10 +69,13 @@ std::optional<BorderPlate> BorderPlate::within(const std::vector<PlateSample>& b
     if (!(sample.normal.dot(up) > kLeastUp)) return std::nullopt;
   }
   plate.axes_.col(2) = up;
+  // Any axes will do: kernel and polynomials are the same turned.
   plate.axes_.col(0) = up.unitOrthogonal();
+  // Right-handed: in the plane the border runs counterclockwise, as it does seen from outside.
   plate.axes_.col(1) = up.cross(plate.axes_.col(0));
   double reach = 0.0;
   for (const PlateSample& s : border) reach = std::max(reach, (s.point - plate.origin_).norm());
+  // Places are of about 1, so that fifth powers and polynomials are of one size.
   plate.scale_ = reach;
   std::vector<Vector2d> polygon;
   std::vector<double> wanted;
@@ -85,6 +89,7 @@ std::optional<BorderPlate> BorderPlate::within(const std::vector<PlateSample>& b
     if (!border[i].has_slope) continue;
     const Vector3d normal = plate.axes_.transpose() * border[i].normal;
     const Vector2d along = (plate.axes_.transpose() * border[i].along).head<2>();
+    // Along the border slopes follow from the heights there.
     const Vector2d across = Vector2d(-along.y(), along.x()).normalized();
     plate.sources_.push_back({polygon[i], across});
     // The normal of a height h is along (-h_x, -h_y, 1).
@@ -101,6 +106,7 @@ void BorderPlate::solve(const Eigen::VectorXd& wanted) {
   Eigen::MatrixXd all = Eigen::MatrixXd::Zero(count + terms, count + terms);
   for (Eigen::Index i = 0; i < count; ++i) {
     const Source& one = sources_[static_cast<std::size_t>(i)];
+    // A row is the height, or the slope across the border, of all sources at one place.
     const bool has_slope = !one.across.isZero(0.0);
     for (Eigen::Index k = 0; k < count; ++k) {
       const Source& other = sources_[static_cast<std::size_t>(k)];
@@ -119,6 +125,8 @@ void BorderPlate::solve(const Eigen::VectorXd& wanted) {
     all.block(count, i, terms, 1) = row.head(terms);
   }
   Eigen::VectorXd right = Eigen::VectorXd::Zero(count + terms);
+  // The rest stays zero: weights of sources are orthogonal to the polynomials, so that these have
+  // all that they can make up, and there is one solution.
   right.head(count) = wanted;
   // Indefinite, for nothing stands where polynomials meet polynomials: no Cholesky.
   weights_ = all.partialPivLu().solve(right);
@@ -152,6 +160,7 @@ PatchPoint BorderPlate::at(const Vector2d& place) const {
       height += weight * radial5(d);
       slope += weight * radial5_slope(d);
     } else {
+      // As in solve(): by the source's own place.
       height -= weight * source.across.dot(radial5_slope(d));
       slope -= weight * radial5_bend(d, source.across);
     }

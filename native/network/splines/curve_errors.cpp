@@ -10,6 +10,7 @@ constexpr int kMeasuredOfSpan = 5;  // none of which is a place of fitted_spline
 constexpr int kSteps = 6;           // of Newton's, from the same parameter
 
 double distance_from(const BSplineCurve& spline, double t, const Vector3d& point) {
+  // The least on the way: all of these are places of the spline, whether steps converge or not.
   double least = (spline.position(t) - point).norm();
   for (int step = 0; step < kSteps; ++step) {
     const Points3 jet = spline_jet(spline, t);
@@ -28,6 +29,7 @@ std::vector<double> edge_errors(const NetworkFrame& frame, const EdgeSplines& sp
   std::vector<double> errors;
   for (std::size_t e = 0; e < splines.fitted.size(); ++e) {
     const BSplineCurve& spline = splines.fitted[e].curve;
+    // A cubic has three points more than spans.
     const int count = kMeasuredOfSpan * (static_cast<int>(spline.points.size()) - 3);
     double worst = 0.0;
     for (int i = 0; i < count; ++i) {

@@ -19,6 +19,7 @@ double furthest_in(const BSplineCurve& spline, const CurveFunction& curve, doubl
                    double width) {
   double error = 0.0;
   for (int i = 0; i < kTestsOfSpan; ++i) {
+    // Between knots: at these the spline has the curve's points.
     const double t = low + width * (i + 0.5) / kTestsOfSpan;
     error = std::max(error, (spline.position(t) - Vector3d(curve(t).row(0))).norm());
   }
@@ -53,8 +54,10 @@ void make_simple(BSplineCurve& curve, double t, double rounding) {
   const double low = (t - second_before) / (after - second_before);
   const double high = (t - before) / (second_after - before);
   auto& points = curve.points;
+  // The control point from which the second knot's insertion made two, from its left and its right.
   const Vector3d one = (points[s - 2] - (1.0 - low) * points[s - 3]) / low;
   const Vector3d other = (points[s - 1] - high * points[s]) / (1.0 - high);
+  // By so much the second point would be off, were the knot put in again.
   if (!((1.0 - high) * (one - other).norm() <= rounding)) return;
   points[s - 2] = one;
   points.erase(points.begin() + static_cast<std::ptrdiff_t>(s) - 1);
@@ -78,16 +81,20 @@ BSplineCurve complete_spline(const SplineBreaks& breaks, const Vector3d& start_s
   points.resize(breaks.spans() + 3);
   points.front() = breaks.places.front();
   points.back() = breaks.places.back();
+  // A clamped cubic begins along its first leg, three times it over the first span.
   points[1] = points.front() + start_slope * (breaks.width(0) / 3.0);
   points[points.size() - 2] = points.back() - end_slope * (breaks.width(breaks.spans() - 1) / 3.0);
   const std::size_t first = 2, last = breaks.spans();
+  // Of each row, after the one before is taken off it, what is left of the next point.
   std::vector<double> above(points.size(), 0.0);
   for (std::size_t i = first; i <= last; ++i) {
     const conversion::BasisValues values =
         conversion::basis_values(curve.knots, 3, curve.knots[i + 2]);
+    // At a simple knot three functions are left; the fourth begins there.
     const auto row = values.rows.row(0);
     const double pivot = row(1) - row(0) * above[i - 1];
     Vector3d right = breaks.places[i - 1] - row(0) * points[i - 1];
+    // The last but one point is known, by the slope.
     if (i == last) right -= row(2) * points[i + 1];
     above[i] = i == last ? 0.0 : row(2) / pivot;
     points[i] = right / pivot;
@@ -101,8 +108,10 @@ FittedSpline fitted_spline(const CurveFunction& curve, double tolerance) {
   SplineBreaks breaks{{0.0, 1.0}, {start.row(0), end.row(0)}};
   while (true) {
     FittedSpline fitted{complete_spline(breaks, start.row(1), end.row(1))};
+    // Which spans to halve is told by themselves, not by the worst of all.
     std::vector<bool> is_off(breaks.spans());
     for (std::size_t s = 0; s < breaks.spans(); ++s) {
+      // All spans each time: one that is halved moves its neighbours, too.
       const double error = furthest_in(fitted.curve, curve, breaks.at[s], breaks.width(s));
       is_off[s] = error > tolerance;
       fitted.error = std::max(fitted.error, error);
@@ -124,10 +133,12 @@ Points3 spline_jet(const BSplineCurve& curve, double t) {
 BSplineCurve with_knots(const BSplineCurve& curve, const std::vector<double>& knots) {
   BSplineCurve result = curve;
   for (double& knot : result.knots) {
+    // First to the others' digits: knots that differ by rounding would come twice, else.
     const auto near = std::lower_bound(knots.begin(), knots.end(), knot - conversion::kSameKnot);
     if (near != knots.end() && *near <= knot + conversion::kSameKnot) knot = *near;
   }
   for (std::size_t i = 0; i < knots.size(); ++i) {
+    // From the first on, so that both lists agree up to here.
     if (i >= result.knots.size() || result.knots[i] != knots[i]) result.insert_knot(knots[i]);
   }
   return result;
@@ -158,9 +169,12 @@ BSplineCurve strung_together(const std::vector<BSplineCurve>& parts,
     const BSplineCurve& part = parts[p];
     const double width = ends[p + 1] - ends[p];
     if (p > 0) {
+      // Slopes by the whole's parameter.
       const Vector3d before = spline_jet(parts[p - 1], 1.0).row(1) / (ends[p] - ends[p - 1]);
       const Vector3d after = spline_jet(part, 0.0).row(1) / width;
       const bool is_smooth = (before - after).norm() <= kSameSlope * size;
+      // At a double knot the common point lies between its neighbours, and is none of the spline's
+      // own.
       if (is_smooth) whole.points.pop_back();
       whole.knots.insert(whole.knots.end(), is_smooth ? 2 : 3, ends[p]);
       whole.points.insert(whole.points.end(), part.points.begin() + 1, part.points.end());
@@ -171,6 +185,8 @@ BSplineCurve strung_together(const std::vector<BSplineCurve>& parts,
   }
   whole.knots.insert(whole.knots.end(), 4, 1.0);
   for (std::size_t p = 1; p < parts.size(); ++p) {
+    // Where the second derivative goes on, too, as from edge to edge of one curve, one knot will
+    // do.
     if (std::ranges::count(whole.knots, ends[p]) == 2) {
       make_simple(whole, ends[p], kRounding * size);
     }

@@ -12,6 +12,8 @@ using conversion::SideEdge;
 
 constexpr double kSameCut = 1e-9;  // of an edge's parameter
 
+// Patches on either side of an edge may divide it in other places: first all cuts are gathered,
+// then numbered, and then each patch has the parts of edges between them as its sides.
 class QuadJoiner {
  public:
   QuadJoiner(const NetworkFrame& frame, const std::vector<PlacedQuads>& regions)
@@ -23,6 +25,7 @@ class QuadJoiner {
         for (const QuadBorder& border : borders) collect(border);
       }
     }
+    // After all cuts, by which edges and vertices are counted.
     number();
     for (const PlacedQuads& region : regions_) add(region);
     set_.vertex_count = vertex_count_;
@@ -37,6 +40,8 @@ class QuadJoiner {
  private:
   void collect(const QuadBorder& border) {
     for (const EdgePiece& piece : border.pieces) {
+      // What patches on either side of an edge need: borders on both sides are cut at all of these
+      // places.
       auto& cuts = cuts_[static_cast<std::size_t>(piece.edge)];
       for (double t : {piece.from, piece.to}) {
         const auto at = std::lower_bound(cuts.begin(), cuts.end(), t - kSameCut);
@@ -64,6 +69,7 @@ class QuadJoiner {
 
   int vertex_of(int edge, std::size_t cut) const {
     const auto at = static_cast<std::size_t>(edge);
+    // Ends of edges are nodes, which other edges have, too.
     if (cut == 0) return frame_.joined.edges[at].from;
     if (cut + 1 == cuts_[at].size()) return frame_.joined.edges[at].to;
     return first_vertex_[at] + static_cast<int>(cut) - 1;
@@ -80,6 +86,8 @@ class QuadJoiner {
       const auto on_side = [&](double t) {
         return piece.begin + (piece.end - piece.begin) * (t - piece.from) / (piece.to - piece.from);
       };
+      // The last end bit for bit, and at the piece's end its own: a side's edges leave nothing
+      // open.
       const double begin = side.empty() ? 0.0 : side.back().end;
       side.push_back({number, vertex_of(piece.edge, cut), vertex_of(piece.edge, next), begin,
                       next == last ? piece.end : on_side(cuts[next])});
@@ -98,6 +106,7 @@ class QuadJoiner {
   }
 
   void add(const PlacedQuads& region) {
+    // Behind all that are there: what a region has within it no other one has.
     const int centre = vertex_count_, first_spoke = edge_count_;
     const auto count = region.quads->patches.size();
     if (count > 1) {
@@ -113,6 +122,8 @@ class QuadJoiner {
         if (border.spoke < 0) {
           for (const EdgePiece& piece : border.pieces) add_pieces(sides[k], piece);
         } else {
+          // A spoke has no border of the network: its outer end is that of the half of a side
+          // beside it.
           const int middle =
               border.is_inwards ? end_of(region.borders[q][0]) : start_of(region.borders[q][3]);
           const int edge = first_spoke + border.spoke;

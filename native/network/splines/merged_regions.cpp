@@ -8,6 +8,7 @@
 namespace hull::network {
 namespace {
 
+// Groups of regions that hang together over references; those that make no quad fall apart again.
 class RegionMerger {
  public:
   RegionMerger(const NetworkFrame& frame, const std::vector<std::vector<RegionSide>>& regions,
@@ -19,6 +20,7 @@ class RegionMerger {
     std::vector<MergedRegion> merged;
     for (std::size_t r = 0; r < regions_.size(); ++r) {
       if (is_taken[r]) continue;
+      // The same group is found from each of its regions: from the first one is enough.
       const std::vector<int> group = group_of(static_cast<int>(r));
       for (int one : group) is_taken[static_cast<std::size_t>(one)] = true;
       std::optional<MergedRegion> whole;
@@ -37,6 +39,7 @@ class RegionMerger {
 
  private:
   int beside(const RegionEdge& side, bool is_own) const {
+    // To the left of the edge as its region has it, or to its right.
     const std::size_t against = side.is_along == is_own ? 0 : 1;
     return frame_.faces.region_of_side[2 * static_cast<std::size_t>(side.edge) + against];
   }
@@ -88,6 +91,7 @@ class RegionMerger {
       }
     }
     if (border.empty()) return std::nullopt;
+    // The edges that stay, one after the other: if all are met there is one way around.
     std::vector<RegionEdge> loop{border.front()};
     for (RegionEdge side = after(loop.front());
          side.edge != loop.front().edge || side.is_along != loop.front().is_along;

@@ -21,6 +21,7 @@ void append(std::vector<double>& key, const Vector3d& value) {
 
 // All that a region's patches depend on, but for numbers of edges.
 std::vector<double> key_of(const RegionInput& input, const MergedRegion& region) {
+  // Bit by bit: what differs by rounding is made again.
   std::vector<double> key{input.tolerance, static_cast<double>(input.spans)};
   const NetworkFrame& frame = *input.frame;
   for (int edge : region.references) {
@@ -44,11 +45,14 @@ std::vector<double> key_of(const RegionInput& input, const MergedRegion& region)
   return key;
 }
 
+// Patches of a region depend on its own sides alone, once splines and normals of edges are known:
+// so regions are made one by one, and those that have not changed are taken over.
 class PatchMaker {
  public:
   PatchMaker(const CurveNetwork& network, double tolerance, int spans, const NetworkPatches* before)
       : network_(network),
         edges_(edge_splines(network.frame(), tolerance)),
+        // Refers to the splines, which are made before it.
         input_{network.shared_frame(), edges_, tolerance, spans},
         before_(before),
         known_(std::make_shared<NetworkPatches::Known>()),
@@ -105,6 +109,7 @@ class PatchMaker {
     const NetworkFrame& frame = network_.frame();
     std::vector<RegionSide> sides = sides_of_one_curve(frame, region.sides);
     if (!quads.has_short_sides) sides = with_short_sides_joined(frame, std::move(sides));
+    // By pointers, which hold: elements of a map stay where they are while others come.
     placed_.push_back({&quads, quad_borders(frame, sides, quads.is_single())});
     made_.spoke_error = std::max(made_.spoke_error, quads.spoke_error);
     // No border follows a reference: what counts is how far the patches are from it.
@@ -125,6 +130,7 @@ class PatchMaker {
   }
 
   void name_missed() {
+    // Each curve is told once, where it is missed by most.
     std::map<int, std::pair<double, Vector3d>> worst;  // of curves
     for (std::size_t e = 0; e < edges_.fitted.size(); ++e) {
       const double error = edges_.fitted[e].error;

@@ -24,6 +24,7 @@ NormalConstraint constraint_at(const BSplinePatch& patch, int side,
   const conversion::BasisValues values = conversion::basis_values(knots, 3, t);
   for (int a = 0; a < 4; ++a) {
     const double weight = values.rows(0, a);
+    // At a simple knot the fourth function is zero.
     if (weight == 0.0) continue;
     made.weights.emplace_back(patch.corner_index(side, values.first + a, 1), weight);
     made.weights.emplace_back(patch.corner_index(side, values.first + a, 0), -weight);
@@ -57,6 +58,7 @@ double moved_share(BSplinePatch& patch, const std::vector<Vector3d>& moves) {
   for (const Vector3d& point : patch.control_points) box.extend(point);
   for (const Vector3d& move : moves) moved.extend(move);
   const double share = moved.diagonal().norm() / box.diagonal().norm();
+  // What is no number moves nothing, either.
   if (!(share <= kMostMove)) return share;
   for (std::size_t i = 0; i < moves.size(); ++i) patch.control_points[i] += moves[i];
   return share;
@@ -96,15 +98,19 @@ std::vector<NormalConstraint> normal_constraints(const BSplinePatch& patch,
   return all;
 }
 
+// The Schur complement of the constraints: as large as they are many, whatever the patch has.
 bool meet_normals(BSplinePatch& patch, const std::array<QuadSide, 4>& sides,
                   const InverseForm& inverse) {
   const std::vector<NormalConstraint> constraints = normal_constraints(patch, sides);
   const auto count = static_cast<Eigen::Index>(constraints.size());
   if (count == 0) return true;
+  // With the form H and the constraints C: moves H^-1 C' m such that C H^-1 C' m = -excess. H has
+  // the coordinates apart, so that normals come in by their products alone.
   std::vector<Eigen::MatrixXd> answers;
   Eigen::MatrixXd form(count, count);
   Eigen::VectorXd excess(count);
   for (Eigen::Index q = 0; q < count; ++q) {
+    // One solution a constraint does for all three coordinates.
     const NormalConstraint& one = constraints[static_cast<std::size_t>(q)];
     answers.push_back(inverse(as_matrix(patch, one)));
     excess[q] = one.excess(patch);
@@ -114,6 +120,7 @@ bool meet_normals(BSplinePatch& patch, const std::array<QuadSide, 4>& sides,
           one.normal.dot(other.normal) * weighted(patch, other, answers.back());
     }
   }
+  // Constraints that say the same make it singular; what they ask is shared out among them.
   const Eigen::VectorXd multipliers = mesh::least_norm_solution(form, -excess, kIndependent);
   std::vector<Vector3d> moves(patch.control_points.size(), Vector3d::Zero());
   for (int u = 0; u + 2 < patch.count_u; ++u) {

@@ -20,6 +20,7 @@ struct Samples {
     for (std::size_t i = 1; i < knots.size(); ++i) {
       const double width = knots[i] - knots[i - 1];
       if (!(width > 0.0)) continue;
+      // Roots of the weights, as they come into squares.
       for (double share : nodes) {
         places.push_back(knots[i - 1] + share * width);
         roots.push_back(std::sqrt(0.5 * width));
@@ -34,12 +35,14 @@ struct Samples {
     }
   }
 
+  // Without the first and the last one, which are the borders'.
   auto inner() const { return basis.middleCols(1, basis.cols() - 2); }
 };
 
 BSplinePatch with_borders(const std::array<QuadSide, 4>& sides, int spans) {
   BSplinePatch patch;
   const auto knots_of = [&](std::size_t k) {
+    // Each of two opposite sides is met exactly over the knots of both.
     const std::vector<double> both =
         united_knots(sides[k].curve.knots, sides[k + 2].curve.reversed().knots);
     return united_knots(both, uniform_knots(spans));
@@ -53,6 +56,7 @@ BSplinePatch with_borders(const std::array<QuadSide, 4>& sides, int spans) {
   for (int k = 0; k < 4; ++k) {
     const BSplineCurve& curve = sides[static_cast<std::size_t>(k)].curve;
     const auto& knots = k % 2 == 0 ? patch.knots_u : patch.knots_v;
+    // Sides 2 and 3 run against u and v, along which the knots are.
     const BSplineCurve fine =
         k < 2 ? with_knots(curve, knots) : with_knots(curve.reversed(), knots).reversed();
     for (int i = 0; i < patch.side_count(k); ++i) {
@@ -74,6 +78,7 @@ class InnerFit {
 
   void fit(BSplinePatch& patch, const QuadTarget& target) const {
     const Eigen::Index rows = u_.basis.rows(), columns = v_.basis.rows();
+    // A matrix for each coordinate, with a row for each sample of u and a column for each of v.
     std::array<Eigen::MatrixXd, 3> wanted;
     for (auto& part : wanted) part.resize(rows, columns);
     for (Eigen::Index i = 0; i < rows; ++i) {
@@ -90,8 +95,11 @@ class InnerFit {
       for (int i = 0; i < patch.count_u; ++i) {
         for (int j = 0; j < patch.count_v; ++j) points(i, j) = patch.control_point(i, j)[d];
       }
+      // Inner points are zero yet: this is what the borders leave of the target.
       const Eigen::MatrixXd rest =
           wanted[static_cast<std::size_t>(d)] - u_.basis * points * v_.basis.transpose();
+      // Normal equations of a tensor product, A'A X B'B = A' R B: two small solutions for one of
+      // all points.
       const Eigen::MatrixXd inner = solved(u_.inner().transpose() * rest * v_.inner());
       for (int i = 1; i + 1 < patch.count_u; ++i) {
         for (int j = 1; j + 1 < patch.count_v; ++j) {
@@ -104,6 +112,7 @@ class InnerFit {
 
   // The inverse of the normal equations, of a matrix over the inner control points.
   Eigen::MatrixXd solved(const Eigen::MatrixXd& right) const {
+    // From the left by u, then from the right by v.
     const Eigen::MatrixXd half = solve_u_.solve(right);
     return solve_v_.solve(half.transpose()).transpose();
   }

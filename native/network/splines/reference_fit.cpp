@@ -31,6 +31,7 @@ Place foot_from(const BSplinePatch& patch, Place at, const Vector3d& point) {
     slopes << jet.du, jet.dv;
     const Place move =
         (slopes.transpose() * slopes).ldlt().solve(slopes.transpose() * (point - jet.point));
+    // Where the patch has no tangent plane.
     if (!move.allFinite()) return at;
     at = (at + move).cwiseMax(0.0).cwiseMin(1.0);
     if (move.norm() < kSettled) break;
@@ -57,6 +58,7 @@ struct Energies {
     const auto at = [&](double share) {
       return conversion::basis_values(knots, 3, low + share * width);
     };
+    // Within the span: at its end the polynomials of the next one would be asked for.
     const conversion::BasisValues a = at(0.25), b = at(0.75);
     const Eigen::RowVector4d bend = (b.rows.row(2) - a.rows.row(2)) / (0.5 * width);
     third.block<4, 4>(a.first, a.first) += width * bend.transpose() * bend;
@@ -67,6 +69,7 @@ struct Energies {
       mass.block<4, 4>(values.first, values.first) += width * weights[g] * row * row.transpose();
     }
     const double quarter = 0.25 * width;
+    // First and second ones at an end of the span, by Taylor from within.
     const auto derivatives = [&](const conversion::BasisValues& from, double step) {
       Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(2, count_);
       rows.block<1, 4>(0, from.first) =
@@ -75,6 +78,8 @@ struct Energies {
       return rows;
     };
     if (low > 0.0) {
+      // Zero at simple knots, but for rounding. Divided by the mean width to the powers that make
+      // it an integral of squared third derivatives.
       const Eigen::MatrixXd jump = derivatives(a, -quarter) - at_end_;
       const double mean = 0.5 * (width + width_);
       third += jump.row(1).transpose() * jump.row(1) / mean;
@@ -108,13 +113,16 @@ class CurveFit {
   // False, and nothing done, where there is no solution.
   bool solve(const std::vector<PlacedPoint>& points) {
     const Eigen::Index inner = 3 * (patch_.count_u - 2) * (patch_.count_v - 2);
+    // Three unknowns a point, then a multiplier for each constraint.
     const Eigen::Index size = inner + std::ssize(constraints_);
     right_ = Eigen::VectorXd::Zero(size);
     for (const PlacedPoint& one : points) add_point(one, 1.0 / static_cast<double>(points.size()));
+    // So little that it decides only where no point of a curve is.
     add_energy(kEnergy);
     for (std::size_t q = 0; q < constraints_.size(); ++q) {
       add_constraint(constraints_[q], inner + static_cast<Eigen::Index>(q));
     }
+    // Indefinite, as nothing stands where constraints meet constraints: no Cholesky.
     Eigen::SparseMatrix<double> form(size, size);
     form.setFromTriplets(entries_.begin(), entries_.end());
     Eigen::SparseLU<Eigen::SparseMatrix<double>> solver(form);
@@ -134,6 +142,7 @@ class CurveFit {
   void add(int row_point, int column_point, double weight) {
     const int row = inner_number(patch_, row_point), column = inner_number(patch_, column_point);
     if (row < 0) return;
+    // Points of the border are known.
     if (column < 0) {
       right_.segment<3>(3 * row) -=
           weight * patch_.control_points[static_cast<std::size_t>(column_point)];
@@ -149,6 +158,7 @@ class CurveFit {
     std::array<double, 16> shares;
     for (int a = 0; a < 16; ++a) {
       const auto at = static_cast<std::size_t>(a);
+      // Four by four, those of v one after the other.
       numbers[at] = (u.first + a / 4) * patch_.count_v + v.first + a % 4;
       shares[at] = u.rows(0, a / 4) * v.rows(0, a % 4);
     }
@@ -162,6 +172,7 @@ class CurveFit {
   }
 
   void add_energy(double share) {
+    // A span has four functions; across a threefold knot it has seven with the next one.
     const auto near = [](int i, int count) {
       return std::pair{std::max(0, i - kReach), std::min(count - 1, i + kReach)};
     };
@@ -171,6 +182,8 @@ class CurveFit {
         const auto [low_v, high_v] = near(j, patch_.count_v);
         for (int k = low_u; k <= high_u; ++k) {
           for (int l = low_v; l <= high_v; ++l) {
+            // Integrals over the square of products of functions of u and of v are products of
+            // integrals.
             const double energy = along_u_.third(i, k) * along_v_.mass(j, l) +
                                   along_u_.mass(i, k) * along_v_.third(j, l);
             add(i * patch_.count_v + j, k * patch_.count_v + l, share * energy);
@@ -207,6 +220,7 @@ std::vector<PlacedPoint> points_of(const std::vector<Reference>& curves, int par
   std::vector<PlacedPoint> points;
   for (const Reference& curve : curves) {
     for (int i = 0; i < parts; ++i) {
+      // At its end a curve may be on a side, where no inner point moves anything.
       const double t = (i + 0.5) / parts;
       points.push_back({curve.point(t), curve.place(t)});
     }
@@ -228,8 +242,10 @@ double furthest_point(const BSplinePatch& patch, const Reference& curve, int par
 
 ReferenceFit fit_with_spans(const std::array<QuadSide, 4>& sides, const QuadTarget& start,
                             const std::vector<Reference>& curves, int spans) {
+  // With the borders, and what stays where there is no solution.
   ReferenceFit fit{fitted_quad(sides, start, spans), {}};
   BSplinePatch& patch = fit.quad.patch;
+  // With the knots of its borders a patch has more spans than were asked for.
   const int most = std::max(patch.count_u, patch.count_v) - 3;
   const int parts = std::max(kLeastParts, kPartsOfSpan * most);
   if (!CurveFit(patch, sides).solve(points_of(curves, parts))) fit.quad.has_normals = false;

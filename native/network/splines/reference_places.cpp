@@ -30,6 +30,7 @@ std::vector<Chain> chains_of(const JoinedCurves& joined, const std::vector<int>&
   const CurveEdge* last = nullptr;
   for (std::size_t i : order) {
     const CurveEdge& edge = edge_of(i);
+    // Edges of a piece have numbers in its order.
     const bool goes_on = last != nullptr && last->curve == edge.curve &&
                          last->piece == edge.piece && last->to == edge.from &&
                          last->high == edge.low;
@@ -51,6 +52,7 @@ NodePlaces places_on_sides(const NetworkFrame& frame, const std::vector<RegionSi
     for (std::size_t i = 0; i < sides[k].size(); ++i) {
       const CurveEdge& edge = frame.joined.edges[static_cast<std::size_t>(sides[k][i].edge)];
       const double t = ends[i];
+      // Sides run around the square: the third against u, the fourth against v.
       const Vector2d on[] = {{t, 0.0}, {1.0, t}, {1.0 - t, 1.0}, {0.0, 1.0 - t}};
       places[sides[k][i].is_along ? edge.from : edge.to] = on[k];
     }
@@ -59,10 +61,12 @@ NodePlaces places_on_sides(const NetworkFrame& frame, const std::vector<RegionSi
 }
 
 // Adds the places of nodes inside to those on the sides.
+// Both coordinates at once, by least squares, for curves that cross do not agree on a node's place.
 void place_inner(const std::vector<Chain>& chains, NodePlaces& places) {
   std::map<int, Eigen::Index> unknown;
   Eigen::Index rows = 0;
   for (const Chain& chain : chains) {
+    // An equation for each node that a chain passes; a node where two chains cross has two.
     rows += std::ssize(chain.nodes) - 2;
     for (int node : chain.nodes) {
       if (!places.contains(node)) unknown.try_emplace(node, std::ssize(unknown));
@@ -76,6 +80,7 @@ void place_inner(const std::vector<Chain>& chains, NodePlaces& places) {
     for (std::size_t i = 1; i + 1 < chain.nodes.size(); ++i, ++row) {
       const auto& t = chain.parameters;
       const double share = (t[i] - t[i - 1]) / (t[i + 1] - t[i - 1]);
+      // p_i = (1 - share) p_(i-1) + share p_(i+1); what is known of it goes to the right.
       const std::pair<std::size_t, double> terms[] = {
           {i, 1.0}, {i - 1, share - 1.0}, {i + 1, -share}};
       for (const auto& [at, weight] : terms) {
@@ -132,6 +137,7 @@ ReferencePlaces::ReferencePlaces(const NetworkFrame& frame, const std::vector<Re
     std::vector<Vector3d> through;
     for (int node : chain.nodes) through.emplace_back(places[node].x(), places[node].y(), 0.0);
     chains_.push_back(spline_through(through, chain.parameters));
+    // A chain has one parameter from 0 to 1, and each of its edges a part of it.
     const double first = chain.parameters.front(), whole = chain.parameters.back() - first;
     for (std::size_t i = 0; i < chain.references.size(); ++i) {
       parts_[chain.references[i]] = {chains_.size() - 1, (chain.parameters[i] - first) / whole,
@@ -144,6 +150,7 @@ Vector2d ReferencePlaces::at(std::size_t reference, double t) const {
   const Part& part = parts_[reference];
   const Vector3d place =
       chains_[part.chain].position(std::clamp(part.low + t * (part.high - part.low), 0.0, 1.0));
+  // Between nodes beside a side the spline may swing out of the square.
   return place.head<2>().cwiseMax(0.0).cwiseMin(1.0);
 }
 

@@ -24,6 +24,7 @@ QuadSide whole(const SideSpline& side) {
 // Whether normals within are nowhere turned away from those at all corners.
 bool is_folded(const TransfinitePatch& patch) {
   Vector3d mean = Vector3d::Zero();
+  // At corners normals are what the network tells.
   for (const Vector2d& corner : patch.domain()) mean += patch.at(corner).normal();
   for (int i = 1; i < kFoldSamples; ++i) {
     for (int k = 1; k < kFoldSamples; ++k) {
@@ -88,6 +89,7 @@ std::optional<BorderPlate> plate_of(const std::vector<SideSpline>& sides, bool h
     const int count =
         std::clamp(static_cast<int>(std::ceil(4.0 * share * kPlateSamples)), 1, kPlateSamples);
     for (int i = 0; i < count; ++i) {
+      // Without the side's end, where the next one begins.
       const double t = static_cast<double>(i) / count;
       const Points3 jet = spline_jet(side.curve(), t);
       samples.push_back({jet.row(0), jet.row(1), side.normal(t), i > 0});
@@ -96,6 +98,7 @@ std::optional<BorderPlate> plate_of(const std::vector<SideSpline>& sides, bool h
   return BorderPlate::within(samples, has_normals);
 }
 
+// Refers to both, which are there as long as the star is used.
 StarTarget plate_target(const BorderPlate& plate, const std::vector<SideSpline>& sides) {
   return {[&plate](const Vector2d& place) { return plate.at(place); },
           [&plate, &sides](std::size_t side, double t) {
@@ -125,6 +128,7 @@ bool is_folded(const RegionQuads& quads) {
     for (int i = 0; i < kTurnSamples; ++i) {
       for (int k = 0; k < kTurnSamples; ++k) {
         const auto jet = patch.evaluate((i + 0.5) / kTurnSamples, (k + 0.5) / kTurnSamples);
+        // Not of unit length: slivers count for little in the mean.
         normals.push_back(jet.du.cross(jet.dv));
         mean += normals.back();
       }
@@ -173,6 +177,7 @@ std::vector<std::array<QuadBorder, 4>> quad_borders(const NetworkFrame& frame,
   }
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const std::size_t last = (i + parts.size() - 1) % parts.size();
+    // As QuadStar has its quads, and their sides.
     borders.push_back({QuadBorder{parts[i].pieces(0.0, parts[i].middle()), -1, true},
                        QuadBorder{{}, static_cast<int>(i), true},
                        QuadBorder{{}, static_cast<int>(last), false},
@@ -190,8 +195,11 @@ RegionQuads region_quads(const RegionInput& input, const MergedRegion& region) {
   }
   if (given.size() == 4 && sides.size() == 4) {
     const TransfinitePatch patch(ribboned_sides(input.frame, sides));
+    // Where it is folded, quads around a centre need not be.
     if (!is_folded(patch)) return single_quad(input, splines, patch);
   }
+  // First without short sides, beside which quads are slivers; with them where nothing comes of
+  // that.
   const std::vector<RegionSide> joined = with_short_sides_joined(*input.frame, sides);
   if (joined.size() < sides.size()) {
     if (auto quads = plate_quads(input, splines_of(input, joined))) {
@@ -200,6 +208,7 @@ RegionQuads region_quads(const RegionInput& input, const MergedRegion& region) {
     }
   }
   if (auto quads = plate_quads(input, splines)) return std::move(*quads);
+  // A TransfinitePatch of two sides has a domain of three, which are not the region's.
   if (sides.size() == 2) {
     throw std::invalid_argument(
         "Its border is no graph over a plane, or turns back: divide it by a curve.");

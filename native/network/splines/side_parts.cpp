@@ -26,6 +26,8 @@ SideParts::Place SideParts::at(double t) const {
 
 double SideParts::edge_parameter(std::size_t part, double t) const {
   double share = std::clamp((t - ends_[part]) / (ends_[part + 1] - ends_[part]), 0.0, 1.0);
+  // Shares of a side are of all its edges' lengths: rounding is taken back to the edge's own
+  // places.
   if (share < kAtNode) share = 0.0;
   if (share > 1.0 - kAtNode) share = 1.0;
   const double cut = std::round(share * kCuts) / kCuts;
@@ -36,8 +38,10 @@ double SideParts::edge_parameter(std::size_t part, double t) const {
 double SideParts::middle() const {
   const auto above = std::upper_bound(ends_.begin() + 1, ends_.end() - 1, 0.5);
   const double low = *(above - 1), width = *above - low;
+  // The cut of the edge there that is nearest to the middle.
   double nearest = low + width * std::round((0.5 - low) / width * kCuts) / kCuts;
   double distance = kFromMiddle;
+  // Better a node near the middle than a cut, which divides the edge for its other region, too.
   for (std::size_t i = 1; i + 1 < ends_.size(); ++i) {
     if (std::abs(ends_[i] - 0.5) > distance) continue;
     nearest = ends_[i];
@@ -54,6 +58,7 @@ std::vector<EdgePiece> SideParts::pieces(double begin, double end) const {
     pieces.push_back({side_[part].edge, edge_parameter(part, low), edge_parameter(part, high),
                       (low - begin) / (end - begin), (high - begin) / (end - begin)});
   }
+  // But for rounding they are.
   pieces.front().begin = 0.0;
   pieces.back().end = 1.0;
   return pieces;

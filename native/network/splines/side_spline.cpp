@@ -9,6 +9,7 @@ EdgeSplines edge_splines(const NetworkFrame& frame, double tolerance) {
     const EdgeShape& shape = frame.shapes[e];
     splines.fitted.push_back(
         fitted_spline([&](double u) { return shape.evaluate(u, 1); }, tolerance));
+    // But for rounding they are there: now all splines at a node have its place bit for bit.
     auto& points = splines.fitted.back().curve.points;
     points.front() = frame.joined.nodes[static_cast<std::size_t>(frame.joined.edges[e].from)];
     points.back() = frame.joined.nodes[static_cast<std::size_t>(frame.joined.edges[e].to)];
@@ -39,6 +40,8 @@ Vector3d SideSpline::normal(double t) const {
   const auto [edge, parameter] = parts_.at(t);
   const auto& fields = edge.is_along ? frame_->normals.left : frame_->normals.right;
   const Vector3d field = fields[static_cast<std::size_t>(edge.edge)].at(parameter).normal;
+  // Of the spline, which is off the curve's by what the fit leaves: patches have the spline as
+  // border.
   const Vector3d tangent = Vector3d(spline_jet(curve_, t).row(1)).normalized();
   return (field - field.dot(tangent) * tangent).normalized();
 }

@@ -49,6 +49,7 @@ void Drawing::check_ends() const {
   if (around_.size() != regions_.vertex_of_node.size()) {
     throw std::invalid_argument("Each node needs the ends of edges around it.");
   }
+  // All of this is seen to before anything is drawn: draw() looks ends up without asking.
   std::vector<int> node_of_end(half_of_end_.size(), -1);
   for (int node = 0; node < nodes; ++node) {
     for (const EdgeEnd& end : around_[static_cast<std::size_t>(node)]) {
@@ -73,6 +74,7 @@ void Drawing::check_ends() const {
 int Drawing::corner_of(int node, EdgeEnd end) const {
   const auto& ends = around_[static_cast<std::size_t>(node)];
   const auto is_it = [&](const EdgeEnd& other) { return end_number(other) == end_number(end); };
+  // Clockwise is backwards in `around`; what is not drawn yet is passed over.
   const auto at = static_cast<std::size_t>(std::ranges::find_if(ends, is_it) - ends.begin());
   for (std::size_t step = 1; step < ends.size(); ++step) {
     const EdgeEnd& clockwise = ends[(at + ends.size() - step) % ends.size()];
@@ -89,6 +91,7 @@ bool Drawing::comes_first(int node, EdgeEnd end, EdgeEnd other, int corner) cons
   auto at = static_cast<std::size_t>(std::ranges::find_if(ends, is_it) - ends.begin());
   for (std::size_t step = 1; step < ends.size(); ++step) {
     const std::size_t number = end_number(ends[(at + ends.size() - step) % ends.size()]);
+    // Clockwise, which of both is met first.
     if (number == end_number(other)) return true;
     if (half_of_end_[number] == corner) return false;
   }
@@ -96,6 +99,7 @@ bool Drawing::comes_first(int node, EdgeEnd end, EdgeEnd other, int corner) cons
 }
 
 void Drawing::keep(int edge, const Shells::NewEdge& drawn, bool is_along) {
+  // `half` leaves the node that it was drawn from: the edge's start, if it was drawn along.
   const auto start = 2 * static_cast<std::size_t>(edge);
   half_of_end_[start] = is_along ? drawn.half : drawn.mate;
   half_of_end_[start + 1] = is_along ? drawn.mate : drawn.half;
@@ -108,6 +112,7 @@ void Drawing::draw(int edge) {
   const auto from = static_cast<std::size_t>(e.from), to = static_cast<std::size_t>(e.to);
   const EdgeEnd start{edge, true}, end{edge, false};
   if (vertices[from] < 0 || vertices[to] < 0) {
+    // One of both nodes is new: an edge with it, into the face at the other one's corner (MEV).
     const bool is_along = vertices[from] >= 0;
     const int corner = is_along ? corner_of(e.from, start) : corner_of(e.to, end);
     const Shells::NewEdge drawn = regions_.shells.make_edge_vertex(corner, corner, e.curve);
@@ -115,6 +120,7 @@ void Drawing::draw(int edge) {
     keep(edge, drawn, is_along);
     return;
   }
+  // Both are there: the edge divides the face in which both corners are (MEF).
   const int first = corner_of(e.from, start), last = corner_of(e.to, end);
   const auto& half_edges = regions_.shells.half_edges();
   if (half_edges[first].loop != half_edges[last].loop) {
@@ -123,6 +129,8 @@ void Drawing::draw(int edge) {
                            "are in a wrong order.",
                        {edge});
   }
+  // At one corner both ends of an edge from a node to itself are alike but for their order, which
+  // tells on which side of it the new face is.
   const bool is_along = first != last || comes_first(e.from, start, end, first);
   keep(edge, regions_.shells.make_edge_face(first, last, e.curve), is_along);
 }

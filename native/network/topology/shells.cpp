@@ -46,6 +46,7 @@ void Shells::link(int half, int next) {
 
 int Shells::bare_half_edge(int vertex, int loop) {
   const int half = half_edges_.add({.vertex = vertex, .loop = loop});
+  // The only half-edge of a vertex without edges follows itself.
   link(half, half);
   vertices_[vertex].half_edge = half;
   loops_[loop].first = half;
@@ -64,6 +65,7 @@ int Shells::insert_before(int half, int vertex, int edge) {
   }
   half_edges_[added].edge = edge;
   int* halves = edges_[edge].halves;
+  // Which of both comes first does not matter: mate() finds the other.
   halves[halves[0] < 0 ? 0 : 1] = added;
   vertices_[vertex].half_edge = added;
   return added;
@@ -120,6 +122,7 @@ void Shells::kill_vertex_face_shell(int shell) {
   shells_.remove(shell);
 }
 
+// Here as below all that may be refused is asked first: then nothing is left half changed.
 Shells::NewEdge Shells::make_edge_vertex(int first, int last, int curve) {
   const int old = half_edges_.at(first).vertex;
   require_shells(half_edges_.at(last).vertex == old,
@@ -130,6 +133,8 @@ Shells::NewEdge Shells::make_edge_vertex(int first, int last, int curve) {
     half_edges_[half].vertex = vertex;
     half = following;
   }
+  // In this order: where both are one half-edge, `half` and `mate` come before it one after the
+  // other, and a bare one is taken by `half`.
   const int half = insert_before(first, old, edge);
   return {half, insert_before(last, vertex, edge), vertex, -1};
 }
@@ -145,6 +150,8 @@ Shells::NewEdge Shells::make_edge_face(int first, int last, int curve) {
   const int face = faces_.add({.outer = -1, .inner = {}, .shell = faces_[loops_[loop].face].shell});
   const int part = loops_.add({.face = face});
   faces_[face].outer = part;
+  // One loop becomes that of `half` and of all from `last` to before `first`, the other one that of
+  // `mate` and of all from `first` to before `last`.
   const int half = was_bare ? first : half_edges_.add({.vertex = from});
   const int mate = half_edges_.add({.vertex = to, .edge = edge});
   half_edges_[half].edge = edge;
@@ -166,15 +173,18 @@ Shells::NewEdge Shells::make_edge_face(int first, int last, int curve) {
 }
 
 int Shells::kill_edge_make_loop(int half) {
+  // Copies: what they link is asked for after they are gone.
   const HalfEdge going = half_edges_.at(half);
   require_shells(!is_bare(half) && half_edges_[mate(half)].loop == going.loop,
                  "Half-edge " + std::to_string(half) + " has not one loop on both sides.");
   const int other = mate(half);
   const HalfEdge coming = half_edges_[other];
   const int face = loops_[going.loop].face;
+  // The face is kept: it is a loop of it that falls in two.
   const int inner = loops_.add({.face = face});
   faces_[face].inner.push_back(inner);
   remove_edge(half);
+  // What comes back to the beginning of `half` keeps the loop; what goes on from its end is inner.
   close_ring(coming.next == half, coming.next, going.previous, going.vertex, going.loop);
   close_ring(going.next == other, going.next, coming.previous, coming.vertex, inner);
   return inner;
@@ -214,6 +224,7 @@ void Shells::kill_edge_vertex(int half) {
                  "Half-edge " + std::to_string(half) + " does not end at another vertex.");
   const int other = mate(half);
   const HalfEdge coming = half_edges_[other];
+  // What begins at the vertex that goes begins at the other one from now on.
   for (int around = clockwise(other); around != other; around = clockwise(around)) {
     half_edges_[around].vertex = going.vertex;
   }
@@ -242,11 +253,14 @@ void Shells::kill_edge_face(int half) {
   require_shells(killed != loops_[going.loop].face && faces_[killed].inner.empty(),
                  "Face " + std::to_string(killed) + ", beyond half-edge " + std::to_string(half) +
                      ", is the same or has inner loops.");
+  // A half whose loop it is alone goes around by itself: then there is nothing before or behind it
+  // to be linked, and where that is so on both sides the vertex is left bare.
   const bool is_loop = going.next == half, is_other_loop = coming.next == other;
   remove_edge(half);
   if (is_loop) {
     close_ring(is_other_loop, coming.next, coming.previous, going.vertex, going.loop);
   } else {
+    // What is before `half` goes on with what follows its mate, and the other way round.
     if (!is_other_loop) link(going.previous, coming.next);
     close_ring(false, going.next, is_other_loop ? going.previous : coming.previous, coming.vertex,
                going.loop);
@@ -315,6 +329,7 @@ std::vector<int> Shells::connected_faces(int face) const {
       found.push_back(beyond);
     }
   };
+  // By inner loops, too: it is these that hold the rings of a face together.
   for (std::size_t i = 0; i < found.size(); ++i) {
     walk(faces_[found[i]].outer);
     for (int loop : faces_[found[i]].inner) walk(loop);
@@ -325,6 +340,7 @@ std::vector<int> Shells::connected_faces(int face) const {
 // By V + F - E - L = 2 (1 - genus), as it holds for one shell.
 int Shells::genus_of(const std::vector<int>& faces) const {
   int sum = 0;
+  // Each half-edge begins at one vertex, and each vertex has one: so all are met, if several times.
   std::vector<int> vertices;
   int half_edges = 0;
   const auto count = [&](int loop) {

@@ -47,6 +47,7 @@ std::string vertex_fault(const Shells& shells, int vertex, int beginning) {
   do {
     ++met;
     half = shells.clockwise(half);
+    // Broken links may go around another vertex, and never come back.
   } while (half != first && met <= beginning);
   return met == beginning ? "" : of("vertex", vertex, "has more than one ring of half-edges");
 }
@@ -76,6 +77,7 @@ std::string connection_fault(const Shells& shells) {
       if (shells.faces()[other].shell != shell) return of("face", other, "is of another shell");
     }
   }
+  // As many as there are, and each once: so all shells have faces, too.
   std::ranges::sort(shell_of_component);
   if (std::ranges::adjacent_find(shell_of_component) != shell_of_component.end() ||
       static_cast<int>(shell_of_component.size()) != shells.shells().count()) {
@@ -87,6 +89,7 @@ std::string connection_fault(const Shells& shells) {
 }  // namespace
 
 std::string shells_fault(const Shells& shells) {
+  // Links first: all that follows walks along them.
   std::vector<int> beginning(static_cast<std::size_t>(shells.vertices().end()), 0);
   for (int half : shells.half_edges().numbers()) {
     if (std::string fault = half_edge_fault(shells, half); !fault.empty()) return fault;
@@ -99,6 +102,7 @@ std::string shells_fault(const Shells& shells) {
   }
   int in_loops = 0;
   for (int count : of_loops) in_loops += count;
+  // Each ring is of the loop that its half-edges name; a second one of a loop is told by the count.
   if (in_loops != shells.half_edges().count()) return "a half-edge is in no ring of its loop";
   for (int vertex : shells.vertices().numbers()) {
     const int count = beginning[static_cast<std::size_t>(vertex)];
