@@ -190,7 +190,7 @@ void Development::descend(Eigen::VectorXd& x, Eigen::VectorXd& best, DevelopedRo
     const Eigen::MatrixXd j = jacobian(x);
     Eigen::MatrixXd square = j.transpose() * j;
     square.diagonal() *= 1.0 + damping;
-    square.diagonal().array() += 1e-12 * square.trace();
+    square.diagonal().array() += 1e-12 * square.trace();  // where nothing changes
     Eigen::VectorXd step = -square.ldlt().solve(j.transpose() * residuals(x));
     Eigen::VectorXd tried = x + step;
     for (int i = 0; i < kMostHalvings && distance(moved(tried)) > limits_.distance; ++i) {
@@ -199,7 +199,7 @@ void Development::descend(Eigen::VectorXd& x, Eigen::VectorXd& best, DevelopedRo
     }
     const double there = residuals(tried).squaredNorm();
     if (there >= cost || distance(moved(tried)) > limits_.distance) {
-      damping *= 10.0;
+      damping *= 10.0;  // nearer to the steepest descent
       if (damping > 1e6) return;
       continue;
     }
@@ -239,7 +239,7 @@ void Development::find_freedom(const surface::LimitSurface& surface) {
   for (int i = 0; i < static_cast<int>(row_.points().size()); ++i) {
     const int p = row_.points()[i];
     const mesh::VertexKind kind = topology.kind(p);
-    const bool is_end = kind != mesh::VertexKind::kCrease;
+    const bool is_end = kind != mesh::VertexKind::kCrease;  // corners and darts
     const auto& locked = limits_.locked;
     if (!row_.is_own()[i] || is_end || std::find(locked.begin(), locked.end(), p) != locked.end()) {
       continue;
