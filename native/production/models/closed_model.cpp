@@ -48,6 +48,7 @@ void add_quad(const HullGrid& grid, std::size_t quad, ClosedModel& model) {
 
 // Sides no longer than `near` become points, triangles that have one are left out.
 void weld(ClosedModel& model, double near) {
+  // Union-find: the root of a group is its point of the lowest number.
   std::vector<int> one(model.points.size());
   std::iota(one.begin(), one.end(), 0);
   const auto root = [&one](int p) {
@@ -91,6 +92,7 @@ void flip_slivers_of_closings(ClosedModel& model) {
 double ClosedModel::volume() const {
   if (points.empty()) return 0.0;
   double sum = 0.0;
+  // About a point of the model: far from the origin the terms would cancel.
   const Vector3d& origin = points[0];
   for (const auto& [a, b, c] : triangles) {
     sum += (points[a] - origin).dot((points[b] - origin).cross(points[c] - origin));
