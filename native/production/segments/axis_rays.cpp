@@ -27,6 +27,9 @@ RayCrossing crossing_of(const ClosedModel& model, int triangle, const Vector3d& 
   const auto across = [&](const Vector3d& p, const Vector3d& q) {
     return (p[u] - from[u]) * (q[v] - from[v]) - (p[v] - from[v]) * (q[u] - from[u]);
   };
+  // Areas of the triangles with the line's point at their tips: of one sign where it is inside, and
+  // the weights of the corners (barycentric coordinates). Borders count, so that no ray slips
+  // through.
   const double wa = across(b, c), wb = across(c, a), wc = across(a, b);
   const double sum = wa + wb + wc, sign = sum > 0.0 ? 1.0 : -1.0;
   if (sum == 0.0 || sign * wa < 0.0 || sign * wb < 0.0 || sign * wc < 0.0) return {0.0, 0.0};
@@ -39,6 +42,7 @@ AxisRays::AxisRays(const ClosedModel& model, int axis)
     : model_(model), axis_(axis), u_((axis + 1) % 3), v_((axis + 2) % 3) {
   Eigen::AlignedBox3d box;
   for (const Vector3d& p : model.points) box.extend(p);
+  // A line then looks at few triangles but those that it meets.
   // About as many bins as triangles, as square as that goes.
   const double wide = std::max(box.sizes()[u_], 1e-300), high = std::max(box.sizes()[v_], 1e-300);
   const double side = std::sqrt(wide * high / std::max<double>(1.0, model.triangles.size()));
