@@ -13,6 +13,7 @@ namespace {
 
 // Twice the mean of both ways to cut a quadrilateral in triangles, by a function of three corners.
 template <class Value, class Function>
+// A warped panel has no volume of its own: the mean of both diagonals is symmetric in its corners.
 Value over_triangles(const std::array<Vector3d, 4>& q, const Function& of, Value sum) {
   const auto add = [&](int a, int b, int c) { sum += of(q[a], q[b], q[c]); };
   add(0, 1, 2);
@@ -59,7 +60,7 @@ void take_panels(const WaterCut& cut, PanelMesh& mesh) {
         number[corner] = static_cast<int>(mesh.points.size());
         mesh.points.push_back(mesh.axes * (cut.points()[corner] - mesh.origin));
         mesh.at_water.push_back(cut.in_water_plane(corner));
-        if (mesh.at_water.back()) mesh.points.back().z() = 0.0;
+        if (mesh.at_water.back()) mesh.points.back().z() = 0.0;  // the rotation has its rounding
       }
       panel[k] = number[corner];
     }
@@ -83,10 +84,13 @@ Vector3d PanelMesh::volumes() const {
     sum += over_triangles(
         corners_of(*this, panel),
         [](const Vector3d& a, const Vector3d& b, const Vector3d& c) -> Vector3d {
+          // Flux of (x, 0, 0) through the plane triangle: the mean of x at its corners times the
+          // vector area's x; y and z likewise.
           return (a + b + c).cwiseProduct((b - a).cross(c - a)) / 6.0;
         },
         Vector3d(Vector3d::Zero()));
   }
+  // The sum has each panel twice, and half a hull counts twice.
   return (half ? 1.0 : 0.5) * sum;
 }
 
