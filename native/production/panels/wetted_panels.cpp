@@ -11,9 +11,9 @@
 namespace hull::production {
 namespace {
 
-// Twice the mean of both ways to cut a quadrilateral in triangles, by a function of three corners.
+// Twice the mean of both ways to cut a quadrilateral in triangles, by a function of three corners:
+// a warped panel is no plane, and neither of its diagonals is to be preferred.
 template <class Value, class Function>
-// A warped panel has no volume of its own: the mean of both diagonals is symmetric in its corners.
 Value over_triangles(const std::array<Vector3d, 4>& q, const Function& of, Value sum) {
   const auto add = [&](int a, int b, int c) { sum += of(q[a], q[b], q[c]); };
   add(0, 1, 2);
