@@ -61,6 +61,7 @@ bool CellTriangulation::can_flip(const Side& side) const {
 bool CellTriangulation::wants_flip(const Side& side) const {
   if (!can_flip(side)) return false;
   const Side other = twin(side);
+  // In metres: in (u, v) alone a long cell's triangles would be slender on the hull.
   const auto at = [this](int p) {
     return Vector2d(static_cast<double>(points_[p][0]) * lengths_.x(),
                     static_cast<double>(points_[p][1]) * lengths_.y());
@@ -228,6 +229,7 @@ int CellTriangulation::next_on_way(int a, int b, std::vector<std::array<int, 2>>
     const int r = triangles_[beyond.triangle].v[(beyond.edge + 2) % 3];
     const std::int64_t side_of_r = turn(a, b, r);
     if (r == b || side_of_r == 0) return r;
+    // Out of the next triangle by the side whose ends are on both sides of the way.
     side = {beyond.triangle, (beyond.edge + (side_of_r > 0 ? 1 : 2)) % 3};
   }
 }
@@ -239,6 +241,7 @@ void CellTriangulation::clear_way(int a, int b, std::vector<std::array<int, 2>> 
     if (k > most) throw std::logic_error("an edge of a cell can't be made");
     const auto [p, q] = crossed[k];
     const Side side = find(p, q);
+    // Where the two triangles are no convex quadrilateral the edge comes again after the others.
     if (!can_flip(side)) {
       crossed.push_back({p, q});
       continue;

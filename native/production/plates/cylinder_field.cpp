@@ -33,6 +33,8 @@ std::array<double, 2> CylinderFrame::distances(const Eigen::AlignedBox2d& box) c
 CylinderField::CylinderField(const surface::BezierPatch& seen, double radius, double zero) {
   double weighted[2][16];
   for (int k = 0; k < 2; ++k) {
+    // With their binomials Bernstein coefficients multiply as those of powers do; the product's own
+    // binomials are taken out below.
     for (int n = 0; n < 16; ++n) {
       weighted[k][n] = kCubicBinomial[n % 4] * kCubicBinomial[n / 4] * seen.x[k][n];
     }

@@ -28,6 +28,8 @@ void straighten(FlatPlate& flat) {
     for (const Vector2d& p : flat.nodes) box.extend(turn * p);
     return box;
   };
+  // There may be several minima: tries over a right angle, after which boxes repeat, then halved
+  // steps from the best.
   const auto area = [&](double angle) { return extent(angle).sizes().prod(); };
   double best = 0.0;
   constexpr int kTries = 90;
@@ -57,6 +59,7 @@ void straighten(FlatPlate& flat) {
 Eigen::Matrix2d turn_at(const FlatPlate& flat, const PlateMesh::Element& element,
                         const PlatePoint& point) {
   if (flat.map) {
+    // The rotation of the polar decomposition: what only stretches does not turn.
     const auto svd = flat.map->slopes(point).jacobiSvd(Eigen::ComputeFullU | Eigen::ComputeFullV);
     return flat.turn * (svd.matrixU() * svd.matrixV().transpose());
   }
@@ -83,11 +86,13 @@ void measure_bending(FlatPlate& flat) {
   }
   if (flat.axis) {
     const Vector2d& a = flat.axis->along;
+    // The other half's sum is the mirror image of this one's.
     const Eigen::Matrix2d mirror = 2.0 * a * a.transpose() - Eigen::Matrix2d::Identity();
     sum += (mirror * sum * mirror).eval();
     area *= 2.0;
   }
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(sum / area);
+  // Bends to either side count alike; rolls lie along the lesser one.
   const Vector2d values = solver.eigenvalues().cwiseAbs();
   const int most = values[0] > values[1] ? 0 : 1;
   const Vector2d axis = solver.eigenvectors().col(1 - most);
@@ -105,6 +110,7 @@ FlatAxis axis_of(const FlatPlate& flat, double& off) {
     if (is_central(flat.mesh.shell->surface, p)) central.push_back(flat.nodes[i]);
   }
   const Vector2d first = central.front();
+  // Over the longest distance rounding turns the line the least.
   const Vector2d last = *std::max_element(
       central.begin(), central.end(), [&first](const Vector2d& a, const Vector2d& b) {
         return (a - first).squaredNorm() < (b - first).squaredNorm();

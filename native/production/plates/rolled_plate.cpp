@@ -25,6 +25,7 @@ std::vector<Way> ways_of(const PlateMesh& mesh) {
     const ShellTriangle& t = mesh.triangle(element);
     for (int k = 0; k < 3; ++k) {
       const int next = (k + 1) % 3;
+      // Middles are numbered after the corners, by sides.
       Way& way = ways[element.nodes[3 + k] - first];
       if (way.from >= 0) continue;
       way = {element.nodes[k],
@@ -78,6 +79,7 @@ RolledPlate rolled_plate(const PlateMesh& mesh, const Vector3d& middle) {
   const Way& first = ways[at[root].front()];
   plate.frames[root] = first_frame(surface, first.from == root ? first.step : reversed(first.step));
   reached[root] = 1;
+  // Breadth first: few sides lead to each corner, and always the same ones.
   std::queue<int> open({root});
   while (!open.empty()) {
     const int corner = open.front();
@@ -97,6 +99,7 @@ RolledPlate rolled_plate(const PlateMesh& mesh, const Vector3d& middle) {
         open.push(end);
         continue;
       }
+      // By a second way: only on a developable surface both end alike.
       const Vector3d normal = surface.normal(step.cell, step.to.x(), step.to.y());
       plate.gap = std::max(plate.gap, (there.at - plate.frames[end].at).norm());
       plate.turn = std::max(plate.turn, std::abs(angle_between(there, plate.frames[end], normal)));

@@ -17,8 +17,7 @@ using Grid = CellTriangulation::Grid;
 namespace {
 
 constexpr int kMostParts = 64;
-// Along a triangle's side the surface turns by about so much, rad: what quadratic elements follow
-// to some parts per thousand of their length.
+// Along a triangle's side the surface turns by about so much, rad.
 constexpr double kTurn = 0.07;
 // Points of the mesh's own keep this part of a triangle's side away from curves.
 constexpr double kClear = 0.35;
@@ -32,6 +31,8 @@ class Builder {
         edges_(surface, mesh_),
         seams_(surface.cell_count()) {}
 
+  // The order matters: all points of curves on cells' sides are known before sides are divided, and
+  // all points of sides before a cell is cut, so that neighbours share them.
   ShellMesh build(const std::vector<SurfaceCurve>& curves, const surface::Progress& progress) && {
     for (int k = 0; k < static_cast<int>(curves.size()); ++k) {
       for (const CurveStep& step : curves[k].steps) add_step(step, k);
@@ -84,6 +85,7 @@ class Builder {
 void Builder::add_step(const CurveStep& step, int curve) {
   const Vector2d from = edges_.put_on_sides(step.cell, step.from);
   const Vector2d to = edges_.put_on_sides(step.cell, step.to);
+  // A step with both ends on one side runs along it, and is no piece of the cell's inside.
   for (int side = 0; side < 4; ++side) {
     const EdgePlace a = edges_.on_side(step.cell, side, on_grid(from));
     const EdgePlace b = edges_.on_side(step.cell, side, on_grid(to));
@@ -121,6 +123,7 @@ Vector2d Builder::lengths_of(int cell) const {
   const auto longer = [&](int a, int b) {
     return std::max({edges_.length(cells_.edge(a)), edges_.length(cells_.edge(b)), 1e-9 * size_});
   };
+  // A cell's side without length must not make the triangulation's square a line.
   return {longer(h, h + 2), longer(h + 1, h + 3)};
 }
 
@@ -182,6 +185,7 @@ void Builder::triangulate(int cell) {
     ends.push_back({a, add(net, part.to)});
   }
   add_inner_points(lengths, turns_of(cell), parts, net);
+  // Once all points are there: an edge through a point is divided by it.
   for (std::size_t i = 0; i < parts.size(); ++i) {
     net.constrain(ends[i][0], ends[i][1], parts[i].curve);
   }

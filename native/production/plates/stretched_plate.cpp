@@ -66,6 +66,7 @@ void place_nodes(FlatPlate& flat) {
 }
 
 PlateChart chart_of(const FlatPlate& flat, const Plate& plate) {
+  // Six points a triangle are enough to see all directions to which the plate turns.
   const auto points =
       quadrature_points(flat.mesh, std::numeric_limits<double>::infinity(), plate.across);
   const auto chart = PlateChart::best(points, plate.across);
@@ -105,6 +106,7 @@ std::vector<PlatePoint> settle(FlatPlate& flat, const Plate& plate, double poiss
 double error_after(double before, double change) {
   if (change > kSlowest * before) return change;
   const double ratio = std::max(change / before, kFastest);
+  // The sum of change ratio^k over k > 0.
   return change * ratio / (1.0 - ratio);
 }
 
@@ -120,6 +122,7 @@ void stretch(FlatPlate& flat, const Plate& plate, double poisson) {
   for (int k = 0; k < kMostHalvings; ++k) {
     const bool is_large = flat.stretch_error > kLargeError;
     const int most = is_large ? kMostWhereLarge : kMostFunctions;
+    // Halving makes about four functions of one.
     if (k > 0 && 4 * flat.map->splines.count() > most) break;
     const SheetMap coarser = *flat.map;
     const double least = flat.least_stretch, largest = flat.largest_stretch;
@@ -135,6 +138,7 @@ void stretch(FlatPlate& flat, const Plate& plate, double poisson) {
   }
   flat.converged = flat.converged && flat.stretch_error <= kLargeError;
   flat.area = 0.0;
+  // The determinant is the area on the plane over that on the hull.
   for (const PlatePoint& p : points) flat.area += p.area * flat.map->slopes(p).determinant();
   place_nodes(flat);
 }

@@ -18,7 +18,7 @@ using surface::on_square_side;
 namespace {
 
 // Of the mesh's size: points of a curve are at its places on the surface, which are put onto sides
-// and corners within kOnSide.
+// and corners within kOnCellSide.
 constexpr double kOnOwnSurface = 1e-7;
 // Of a cell's side: as near as a shortest way tells its place on it.
 constexpr double kNearestOnSide = 1e-8;
@@ -48,6 +48,7 @@ void add_at_corner(std::vector<CellPlace>& places, int h) {
 
 void add_around(const Topology& cells, int h, std::vector<CellPlace>& places) {
   add_at_corner(places, h);
+  // Around the corner one way, and from the start the other way, if a border ended the first.
   int g = cells.twin(cells.prev(h));
   for (; g >= 0 && g != h; g = cells.twin(cells.prev(g))) add_at_corner(places, g);
   if (g == h) return;
@@ -130,6 +131,7 @@ class Joiner {
       return CellPlace{h / 4, uv.x(), uv.y()};
     };
     const auto shortness = [&](double t) {
+      // The sum of two distances is convex along a straight side, and nearly so along others.
       const CellPlace at = place(t);
       const Vector3d p = surface_.position(at.cell, at.u, at.v);
       return -(p - a).norm() - (p - b).norm();
@@ -164,6 +166,7 @@ std::optional<double> crossing(const CurveStep& a, const CurveStep& b) {
 std::vector<CellPlace> places_of(const Topology& cells, const CellPlace& place) {
   const Vector2d uv(snapped(place.u), snapped(place.v));
   const int side = side_at(uv);
+  // A corner belongs to two sides: all cells around it have it.
   std::vector<CellPlace> places;
   if (side < 0) return {{place.cell, uv.x(), uv.y()}};
   const double t = along_side(side, uv);
@@ -184,6 +187,7 @@ std::vector<CurveStep> in_all_cells(const Topology& cells, const CurveStep& step
   std::vector<CurveStep> steps{step};
   for (int side = 0; side < 4; ++side) {
     const Vector2d begin = on_square_side(side, 0.0), along = on_square_side(side, 1.0) - begin;
+    // Exactly: what is near a side places_of() has put there.
     if (cross(step.from - begin, along) != 0.0 || cross(step.to - begin, along) != 0.0) continue;
     const int twin = cells.twin(4 * step.cell + side);
     if (twin < 0) continue;
@@ -253,12 +257,14 @@ std::vector<SurfaceCurve> pieces_between(const surface::LimitSurface& surface,
   for (std::size_t k = 0; k < curve.steps.size(); ++k) {
     const CurveStep& step = curve.steps[k];
     std::vector<double> cuts;
+    // Along a side curves in the other cell pass the step, too.
     for (const CurveStep& seen : in_all_cells(surface.cells(), step)) {
       for (const CurveStep& other : in_cell[seen.cell]) {
         if (const auto t = crossing(seen, other)) cuts.push_back(*t);
       }
     }
     std::sort(cuts.begin(), cuts.end());
+    // The step's end, at which no piece begins.
     cuts.push_back(2.0);
     const double shortest = kOnCellSide / (step.to - step.from).norm();
     double last = 0.0;
