@@ -110,6 +110,7 @@ class Layout {
 
   void place(int i, const Vector2d& at, double angle) {
     const Ruling& own = strip_.rulings[i];
+    // In the plane the ruling keeps its angle with the first curve, and its length.
     const Vector3d q = ruling(own.s, own.t);
     const surface::CurveJet jet =
         i > strip_.first ? end_of(strip_.rulings[i - 1].s, own.s) : a_.at(own.s);

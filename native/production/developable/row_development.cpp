@@ -70,7 +70,7 @@ class Development {
     for (aim_ = made.before; aim_ > limits_.warp && made.iterations < kMostSteps && x.size() > 0;) {
       aim_ = std::max(kStage * aim_, limits_.warp);
       descend(x, best, made);
-      if (made.after > aim_) break;
+      if (made.after > aim_) break;  // a stage that is not reached
     }
     made.points = moved(best);
     made.after = warp_of(row_, made.points);
@@ -211,7 +211,7 @@ void Development::descend(Eigen::VectorXd& x, Eigen::VectorXd& best, DevelopedRo
       made.after = warp;
       best = x;
     }
-    if (is_small) return;
+    if (is_small) return;  // it hardly gets on
   }
 }
 

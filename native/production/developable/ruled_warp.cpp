@@ -29,6 +29,7 @@ double magnitude(const Bernstein& p) { return std::max(std::abs(least(p)), std::
 double bound_of(const Part& part) {
   const double shortest = least(part.length);
   const double product = least(part.first) * least(part.second);
+  // An angle is no more than pi.
   const double anything = shortest > 0.0 ? std::numbers::pi / std::sqrt(shortest)
                                          : std::numeric_limits<double>::infinity();
   if (!(least(part.first) > 0.0 && least(part.second) > 0.0 && least(part.both) > 0.0)) {

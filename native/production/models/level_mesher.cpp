@@ -166,6 +166,7 @@ void LevelMesher::keep_inner() {
   for (std::array<int, 3> triangle : mesh_.triangles) {
     const int part = find(triangle[0]);
     if (inside[part] < 0) {
+      // A part does not pass the body's surface: one point tells for all of it.
       inside[part] = tree_.encloses(mesh_.points[part]);
       mesh_.parts += inside[part];
     }

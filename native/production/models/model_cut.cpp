@@ -101,6 +101,7 @@ class HalfCutter {
 
   // The same for both triangles of a side, and for both parts.
   int crossing(int a, int b) {
+    // From the lower number on, so that both triangles round alike.
     if (a > b) std::swap(a, b);
     const auto [found, is_new] =
         crossings_.emplace(directed_key(a, b), static_cast<int>(part_.points.size()));
@@ -145,6 +146,7 @@ ClosedModel drilled(const ClosedModel& model, int axis, double at, bool upward,
   result.points = model.points;
   for (const CornerNumbers& t : model.triangles) {
     const Vector3d &a = model.points[t[0]], &b = model.points[t[1]], &c = model.points[t[2]];
+    // Faces in the plane go, and are made anew around the holes.
     const bool in_plane = a[axis] == at && b[axis] == at && c[axis] == at;
     if (!in_plane || ((b - a).cross(c - a)[axis] > 0.0) != upward) result.triangles.push_back(t);
   }

@@ -30,6 +30,7 @@ class Slicer {
       // comes down.
       (is_above(a) ? down : up) = side_key(a, b);
     }
+    // A side is passed downwards by one triangle alone, so that each has one next.
     next_[down] = up;
     order_.push_back(down);
   }
@@ -73,6 +74,7 @@ class Slicer {
 double ModelSlice::area() const {
   double sum = 0.0;
   for (const auto& contour : contours) {
+    // The fan of the first point's triangles, with their signs.
     const Eigen::Vector2d& origin = contour[0];
     for (std::size_t i = 0; i + 1 < contour.size(); ++i) {
       const Eigen::Vector2d a = contour[i] - origin, b = contour[i + 1] - origin;

@@ -55,6 +55,7 @@ TriangleTree::TriangleTree(const ClosedModel& model)
 }
 
 int TriangleTree::build(int begin, int end, const std::vector<Vector3d>& centres) {
+  // Before its children, so that the root is node 0.
   const int number = static_cast<int>(nodes_.size());
   nodes_.emplace_back();
   Eigen::AlignedBox3d box, inner;

@@ -76,6 +76,7 @@ PanelSizeField::PanelSizeField(const surface::LimitSurface& surface, const analy
       for (int i = 0; i <= kSamples; ++i) {
         Vector3d p = surface.position(cell, static_cast<double>(i) / kSamples,
                                       static_cast<double>(j) / kSamples);
+        // The point, then its mirror image.
         for (int side = 0; side < (both_sides ? 2 : 1); ++side, p.y() = -p.y()) {
           if (water.height(p) > 0.0) continue;
           wet_[cell] = 1;
@@ -93,6 +94,7 @@ PanelSizeField::PanelSizeField(const surface::LimitSurface& surface, const analy
 double PanelSizeField::height(const Vector3d& p) const {
   const double own = std::abs(water_.height(p));
   if (!both_sides_) return own;
+  // Both sides are divided alike: the one nearer to the water decides.
   return std::min(own, std::abs(water_.height({p.x(), -p.y(), p.z()})));
 }
 

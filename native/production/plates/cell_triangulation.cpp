@@ -189,7 +189,7 @@ int CellTriangulation::add(const Grid& at) {
 
 void CellTriangulation::mark(const Side& side, int tag) {
   int& own = triangles_[side.triangle].tag[side.edge];
-  if (own < 0) own = tag;
+  if (own < 0) own = tag;  // the first curve keeps it
   if (const Side other = twin(side); other.triangle >= 0) {
     triangles_[other.triangle].tag[other.edge] = own;
   }
@@ -212,7 +212,7 @@ int CellTriangulation::next_on_way(int a, int b, std::vector<std::array<int, 2>>
       for (const int end : {p, q}) {
         if (end == b || (turn(a, b, end) == 0 && ahead(end))) return end;
       }
-      if (turn(a, b, p) < 0 && turn(a, b, q) > 0) side = {t, (i + 1) % 3};
+      if (turn(a, b, p) < 0 && turn(a, b, q) > 0) side = {t, (i + 1) % 3};  // between p and q
     }
   }
   assert(side.triangle >= 0);
@@ -262,7 +262,7 @@ void CellTriangulation::constrain(int a, int b, int tag) {
     const int next = next_on_way(a, b, crossed, detour);
     if (detour >= 0) {
       constrain(a, detour, tag);
-      a = detour;
+      a = detour;  // and on from there
       continue;
     }
     clear_way(a, next, std::move(crossed));

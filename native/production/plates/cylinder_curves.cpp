@@ -61,6 +61,7 @@ class GraphInPart {
     sample.d1 = frame_.unseen(along + turn * aside);
     sample.p.tangent = sample.d1.normalized();
     sample.p.cell = piece_.cell;
+    // From the part to the piece, from the piece to the cell.
     sample.p.uv = {piece_.u + piece_.size * (part_.u + part_.du * own.x()),
                    piece_.v + piece_.size * (part_.v + part_.dv * own.y())};
     sample.p.point = frame_.origin() + frame_.unseen(jet.point);

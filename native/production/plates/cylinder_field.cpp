@@ -55,6 +55,7 @@ double CylinderField::lowest() const { return *std::min_element(c_.begin(), c_.e
 double CylinderField::highest() const { return *std::max_element(c_.begin(), c_.end()); }
 
 std::array<double, 2> CylinderField::slopes(int axis) const {
+  // The differences are the derivative's coefficients but for the degree as a factor.
   const int step = axis == 0 ? 1 : kOrder;
   std::array<double, 2> range{c_[step] - c_[0], c_[step] - c_[0]};
   for (int n = 0; n + step < kOrder * kOrder; ++n) {

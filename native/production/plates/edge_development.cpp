@@ -83,6 +83,7 @@ PlaneFrame rolled(const surface::LimitSurface& surface, const CurveStep& step,
     turn[i] = -off * turning.dot(e2[i]) / flat.norm();
     speed[i] = jet.du * way.x() + jet.dv * way.y();
   }
+  // At the nodes, from the start's angle; the rate does not depend on them.
   const Eigen::Matrix<double, kNodes, 1> angles = c.up_to * turn;
   PlaneFrame end{tangent_along(start.along, normal_at(surface, step.cell, step.to)), start.angle,
                  start.at};

@@ -129,6 +129,8 @@ bool develop(FlatPlate& flat, const Plate& plate) {
   if (plate.across) {
     double off = 0.0;
     flat.axis = axis_of(flat, off);
+    // Developable, but its middle line would be bent in the plane: the halves would not meet along
+    // it.
     if (off > most) return false;
   }
   flat.expansion = Expansion::kDeveloped;
@@ -152,6 +154,7 @@ FlatPlate flat_plate(const Plating& plating, const Plate& plate, double poisson)
     flat.axis.reset();
     stretch(flat, plate, poisson);
     double off = 0.0;
+    // The least energy of a symmetric plate is symmetric: the line is straight to rounding.
     if (plate.across) flat.axis = axis_of(flat, off);
   }
   if (flat.axis) {

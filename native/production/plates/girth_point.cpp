@@ -140,6 +140,7 @@ std::optional<CellPlace> girth_point(const surface::LimitSurface& surface, const
   CellPlace at = base;
   Vector3d from = p;
   double left = girth;
+  // Once around a closed section at most.
   for (int passed = 0; passed <= count; ++passed) {
     const Vector3d to = curve.points[next];
     if ((to - from).norm() > near) {

@@ -184,6 +184,7 @@ std::vector<SurfaceCurve> HullCurves::at_girth(const SurfaceCurve& base, double 
                                 "\" is measured: give another direction across them.");
   }
   const Rule rule = [&](double t) -> Place {
+    // The last parameter is the end of the last step.
     const auto k = std::min(static_cast<std::size_t>(t), base.steps.size() - 1);
     const CurveStep& step = base.steps[k];
     const Eigen::Vector2d uv = step.from + (t - static_cast<double>(k)) * (step.to - step.from);

@@ -58,6 +58,7 @@ double PlateChart::quality(const std::vector<PlatePoint>& points) const {
     least = std::min(least, values[1]);
     largest = std::max(largest, values[0]);
   }
+  // A ratio: the chart's own scale does not matter.
   return least / largest;
 }
 
@@ -72,6 +73,7 @@ std::optional<PlateChart> PlateChart::best(const std::vector<PlatePoint>& points
   }
   PlateChart chart;
   chart.origin_ = centre / area;
+  // Normals that cancel out leave the direction open.
   chart.normal_ = normal.norm() > 0.0 ? Vector3d(normal.normalized()) : Vector3d::UnitZ();
   if (is_mirrored) {
     chart.origin_.y() = chart.normal_.y() = 0.0;

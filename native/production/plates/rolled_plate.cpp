@@ -56,6 +56,7 @@ int corner_near(const PlateMesh& mesh, const Vector3d& middle) {
 }
 
 double angle_between(const PlaneFrame& a, const PlaneFrame& b, const Vector3d& normal) {
+  // How far b's tangent is turned from a's on the surface, and so should be on the plane.
   const double seen = std::atan2(normal.dot(a.along.cross(b.along)), a.along.dot(b.along));
   return std::remainder(b.angle - a.angle - seen, 2.0 * M_PI);
 }

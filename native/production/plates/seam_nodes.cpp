@@ -66,6 +66,7 @@ std::vector<SeamPart> noded(const std::vector<SeamPart>& given) {
   for (std::size_t i = 0; i < parts.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
       const SeamPart &a = parts[i], &b = parts[j];
+      // Most pairs are apart in u alone.
       if (std::max(a.from.x(), a.to.x()) < std::min(b.from.x(), b.to.x()) - kOnPart ||
           std::max(b.from.x(), b.to.x()) < std::min(a.from.x(), a.to.x()) - kOnPart) {
         continue;

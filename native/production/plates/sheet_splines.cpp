@@ -37,6 +37,7 @@ SheetSplines::SheetSplines(const Eigen::AlignedBox2d& box, int across) {
     step_[k] = sizes[k] / cells_[k];
   }
   origin_ = box.min();
+  // Three functions more than cells along either side.
   numbers_.assign((cells_.x() + 3) * (cells_.y() + 3), -1);
 }
 
@@ -72,6 +73,7 @@ void SheetSplines::use(const Vector2d& point) {
       for (int i = 0; i < 4; ++i) {
         int& number = numbers_[index(cell.x() + i, cell.y() + j)];
         if (number >= 0) continue;
+        // In the order of use: a function at no point is no unknown.
         number = count();
         used_.emplace_back(cell.x() + i, cell.y() + j);
       }

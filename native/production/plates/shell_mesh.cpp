@@ -99,6 +99,7 @@ void Builder::add_step(const CurveStep& step, int curve) {
 void Builder::mark_along(const Along& along) {
   for (const EdgePoints::Part& part : edges_.parts(along.edge)) {
     if (part.from < along.from || part.to > along.to) continue;
+    // Of curves on one another the first has the side.
     mesh_.seams.try_emplace(ShellMesh::pair_key(part.first, part.last), along.curve);
   }
 }
@@ -136,6 +137,7 @@ Vector2d Builder::turns_of(int cell) const {
 }
 
 int Builder::add(CellTriangulation& net, const Vector2d& uv) {
+  // The net decides by whole numbers; exact places are kept beside it.
   const int local = net.add(on_grid(uv));
   if (local == static_cast<int>(uv_.size())) uv_.push_back(uv);
   return local;
@@ -160,6 +162,7 @@ int Builder::point_of(int cell, int local) {
   const Vector2d& uv = uv_[local];
   for (int side = 0; side < 4; ++side) {
     const EdgePlace place = edges_.on_side(cell, side, on_grid(uv));
+    // On a side: the point that the neighbour has there, too.
     if (place.edge >= 0) return edges_.point(place);
   }
   mesh_.points.push_back(surface_.position(cell, uv.x(), uv.y()));

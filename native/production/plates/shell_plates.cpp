@@ -43,6 +43,7 @@ class Sides {
     return triangles_.at(key)[1] < 0 || mesh_.seams.contains(key);
   }
   int curve(std::uint64_t key) const {
+    // Along the surface's border no curve counts, even if one lies there.
     const auto found = mesh_.seams.find(key);
     return triangles_.at(key)[1] < 0 || found == mesh_.seams.end() ? -1 : found->second;
   }

@@ -43,6 +43,7 @@ void measure_stretch(FlatPlate& flat) {
       const auto point = plate_point(flat.mesh.shell->surface, flat.mesh.triangle(element), b);
       if (!point) continue;
       const Vector2d values = flat.map->slopes(*point).jacobiSvd().singularValues();
+      // Singular values fall, and are lengths on the plane over those on the hull.
       flat.stretches.back() = values.cwiseInverse();
       flat.least_stretch = std::min(flat.least_stretch, 1.0 / values[0]);
       flat.largest_stretch = std::max(flat.largest_stretch, 1.0 / values[1]);
@@ -79,6 +80,7 @@ PlateChart chart_of(const FlatPlate& flat, const Plate& plate) {
 
 Eigen::AlignedBox2d box_of(const FlatPlate& flat, const PlateChart& chart, bool across) {
   Eigen::AlignedBox2d box;
+  // Sides may bulge over the box of the corners: the splines' last cells go on there.
   for (const int corner : flat.mesh.corners) {
     Vector3d p = flat.mesh.shell->mesh.points[corner];
     box.extend(chart.value(p).at);

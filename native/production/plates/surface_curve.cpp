@@ -156,6 +156,7 @@ std::optional<double> crossing(const CurveStep& a, const CurveStep& b) {
   const double turn = cross(along, other);
   if (std::abs(turn) <= 1e-12 * along.norm() * other.norm()) return std::nullopt;
   const double t = cross(apart, other) / turn, s = cross(apart, along) / turn;
+  // Ends count, within what is put onto sides and corners.
   const double near_t = kOnCellSide / along.norm(), near_s = kOnCellSide / other.norm();
   if (t < -near_t || t > 1.0 + near_t || s < -near_s || s > 1.0 + near_s) return std::nullopt;
   return std::clamp(t, 0.0, 1.0);
@@ -239,6 +240,7 @@ std::vector<SurfaceCurve> pieces_between(const surface::LimitSurface& surface,
                                          const std::vector<SurfaceCurve>& others) {
   require_on(surface, curve);
   for (const SurfaceCurve& other : others) require_on(surface, other);
+  // By cells: a step is compared with few others.
   std::vector<std::vector<CurveStep>> in_cell(surface.cell_count());
   for (const SurfaceCurve& other : others) {
     for (const CurveStep& step : other.steps) {

@@ -88,6 +88,7 @@ bool AxisRays::meets_above(const Vector3d& from) const {
 }
 
 const std::vector<int>& AxisRays::near(const Vector3d& from) const {
+  // Beside the model's box this is a bin of its border, none of whose triangles is met.
   const int i = bin_of(from[u_], low_u_, step_u_, columns_);
   const int j = bin_of(from[v_], low_v_, step_v_, rows_);
   return bins_[static_cast<std::size_t>(j) * columns_ + i];

@@ -92,6 +92,7 @@ struct Joint {
 std::optional<Joint> joint_between(const std::vector<ModelSegment>& segments, int i, int j) {
   for (int axis = 0; axis < 3; ++axis) {
     const double at = segments[i].box[1][axis];
+    // Planes are numbers of one grid: what is the same is equal to the last bit.
     if (at != segments[j].box[0][axis]) continue;
     const auto seen = [axis](const Vector3d& p) {
       return Vector2d(p[(axis + 1) % 3], p[(axis + 2) % 3]);

@@ -33,7 +33,7 @@ AlignedBox3d box_of(const ClosedModel& model) {
 std::vector<double> spaced(double low, double high, int layers, double size) {
   std::vector<double> planes(layers + 1);
   for (int i = 0; i <= layers; ++i) planes[i] = low + (high - low) * i / layers;
-  planes.back() = high;
+  planes.back() = high;  // exactly, so that nothing is left above
   if (std::abs(planes[layers / 2]) < kSamePlane * size) planes[layers / 2] = 0.0;
   return planes;
 }
@@ -47,6 +47,7 @@ int layers_for(double extent, double longest, int planes, const SegmentRules& ru
 }
 
 std::array<int, 3> layers_for(const Vector3d& sizes, const SegmentRules& rules) {
+  // Fewer and fewer along the longest side, until the boxes can be looked through.
   for (int planes = rules.planes; planes >= kFewestPlanes; --planes) {
     std::array<int, 3> layers;
     double boxes = 1.0;
@@ -215,6 +216,7 @@ SegmentVerdict SegmentGrid::judged(const SegmentBox& box) const {
   SegmentVerdict best;
   if (extents.isEmpty()) return best;
   const bool milled = rules_.making == SegmentMaking::kMilling;
+  // Layers are the same from either side.
   for (int direction = 0; direction < 6; direction += milled ? 1 : 2) {
     const SegmentVerdict one = judged_along(box, extents, direction);
     if (best.direction < 0 || one.penalty < best.penalty) best = one;
