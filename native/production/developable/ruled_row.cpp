@@ -123,6 +123,7 @@ RuledRow::RuledRow(const surface::LimitSurface& surface, const std::vector<int>&
       }
       own.insert(control.origin(corner));
     }
+    // The opposite side runs against this one: backwards, so that rulings join equal parameters.
     rows.push_back(
         {bezier_rows(weights, control, h, false), bezier_rows(weights, control, other, true)});
     for (const Rows& curve : rows.back()) {

@@ -111,6 +111,7 @@ class GridBuilder {
 
   // Numbers of the mirror images, the points' own where both sides share them.
   std::vector<int> add_image() {
+    // Points of the grid come before those of closings, which have images of their own.
     std::vector<int> images(numbers_.count());
     for (int p = 0; p < numbers_.count(); ++p) {
       images[p] = p;
@@ -132,6 +133,7 @@ class GridBuilder {
     for (std::size_t k = 0; k < knuckles; ++k) {
       const std::array<int, 2> own = grid_.knuckles[k];
       const std::array<int, 2> image{images[own[0]], images[own[1]]};
+      // A knuckle in the centre plane is its own image.
       if (image != own) grid_.knuckles.push_back(image);
     }
     return images;

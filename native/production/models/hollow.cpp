@@ -89,6 +89,7 @@ double wall_volume(const ClosedModel& model, double wall) {
     for (int k = 0; k < 3; ++k) {
       const int a = std::min(t[k], t[(k + 1) % 3]), b = std::max(t[k], t[(k + 1) % 3]);
       const auto key = static_cast<std::uint64_t>(a) << 32 | static_cast<unsigned>(b);
+      // An edge counts once its second triangle comes.
       const auto found = waiting.find(key);
       if (found == waiting.end()) {
         waiting[key] = {normal, t[(k + 2) % 3], doubled_area};

@@ -116,7 +116,8 @@ SidePoints panel_sides(const surface::LimitSurface& surface, const PanelSizeFiel
     if (!cells.is_edge_front(h)) continue;
     own = panels_along(surface, h, field);
   }
-  // A strip of cells is divided alike from end to end: its longest wet side decides.
+  // A strip of cells is divided alike from end to end: its longest wet side decides; dry strips
+  // stay undivided.
   std::vector<double> wanted(divisions.strip_count(), 1.0);
   for (int h = 0; h < cells.half_edge_count(); ++h) {
     if (!field.is_wet(h / 4)) continue;

@@ -114,6 +114,7 @@ PanelMesh wetted_panels(const analysis::HullBody& body, const analysis::Floating
   const analysis::Plane water = analysis::water_plane(position);
   PanelMesh mesh;
   mesh.displaced_volume = volume_alone(body, water);
+  // Without heel the water is symmetric about the centre plane, too.
   mesh.half = body.mirrored() && position.heel == 0.0;
   mesh.axes = water_axes(position);
   const Vector3d base(origin_x, 0.0, 0.0);

@@ -108,6 +108,7 @@ void EdgePoints::divide(int edge, int parts, double clear) {
   std::vector<std::int64_t> taken;
   for (const auto& [at, number] : on_edge_[edge]) taken.push_back(at);
   for (int i = 1; i < parts; ++i) {
+    // In whole numbers: the last part has what the division leaves.
     const std::int64_t at = kParts / parts * i;
     const bool free = std::none_of(taken.begin(), taken.end(),
                                    [&](std::int64_t other) { return std::abs(at - other) < room; });

@@ -99,6 +99,7 @@ Vector3d unit(const Vector3d& v, const char* name) {
 // Whether the surface lies in the planes of a normal there, as a transom does: no section tells a
 // way along it.
 bool is_across(const surface::LimitSurface& surface, const CellPlace& at, const Vector3d& normal) {
+  // Of second order in the angle: 1.4e-6 rad.
   constexpr double kWithinRounding = 1e-12;  // of the cosine
   return std::abs(surface.normal(at.cell, at.u, at.v).dot(normal)) > 1.0 - kWithinRounding;
 }

@@ -147,6 +147,7 @@ Eigen::Vector3d barycentric(const ShellTriangle& t, const Vector2d& uv) {
 std::optional<PlatePoint> plate_point(const surface::LimitSurface& surface, const ShellTriangle& t,
                                       const Eigen::Vector3d& b, bool bending) {
   const Vector2d uv = b[0] * t.uv[0] + b[1] * t.uv[1] + b[2] * t.uv[2];
+  // The sum may be off the cell by rounding.
   const auto jet = surface.evaluate(t.cell, std::clamp(uv.x(), 0.0, 1.0),
                                     std::clamp(uv.y(), 0.0, 1.0), bending ? 2 : 1);
   const Vector3d normal = jet.du.cross(jet.dv);

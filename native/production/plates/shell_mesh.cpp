@@ -108,6 +108,7 @@ void Builder::mark_knuckle(int edge) {
   const int h = edges_.front(edge), twin = cells_.twin(h);
   if (twin < 0 || !cells_.is_crease(h)) return;
   for (const EdgePoints::Part& part : edges_.parts(edge)) {
+    // One angle for each part, in its middle, as seen from the two cells.
     const std::int64_t middle = part.from + (part.to - part.from) / 2;
     const Vector2d one = on_half_edge(h, middle),
                    other = on_half_edge(twin, CellTriangulation::kParts - middle);
@@ -121,6 +122,7 @@ void Builder::mark_knuckle(int edge) {
 
 Vector2d Builder::lengths_of(int cell) const {
   const int h = 4 * cell;
+  // Of opposite sides the longer one tells how finely the cell is cut.
   const auto longer = [&](int a, int b) {
     return std::max({edges_.length(cells_.edge(a)), edges_.length(cells_.edge(b)), 1e-9 * size_});
   };
@@ -174,6 +176,7 @@ void Builder::triangulate(int cell) {
   const Vector2d lengths = lengths_of(cell);
   CellTriangulation net(lengths);
   uv_.clear();
+  // The net begins with the corners, in this order.
   for (int side = 0; side < 4; ++side) uv_.push_back(on_square_side(side, 0.0));
   for (int side = 0; side < 4; ++side) {
     const bool front = cells_.is_edge_front(h + side);

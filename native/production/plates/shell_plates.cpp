@@ -67,6 +67,7 @@ class Divider {
       plate.loops = loops_of(plate);
       if (options_.across_centre) join_across_centre(shell_, options_.largest_knuckle, plate);
     }
+    // Plates abreast of one another stay in the order of their cells.
     std::stable_sort(plates_.begin(), plates_.end(),
                      [](const Plate& a, const Plate& b) { return a.centre.x() < b.centre.x(); });
     return std::move(plates_);
@@ -125,6 +126,7 @@ void Divider::group() {
 
 // Sides with one plate on both sides part nothing: all can go at once.
 void Divider::leave_out_loose() {
+  // By curve, so that they are told of in the curves' order.
   std::map<int, LooseStretch> found;
   std::map<int, double> longest;
   for (const auto& [key, pair] : sides_.all()) {

@@ -276,6 +276,7 @@ std::vector<SurfaceCurve> pieces_between(const surface::LimitSurface& surface,
       const Vector2d uv = end == 1.0 ? step.to : at(end);
       const Vector3d p =
           end == 1.0 ? curve.points[k + 1] : surface.position(step.cell, uv.x(), uv.y());
+      // What is shorter than places are told apart by is no step.
       if (end - last > shortest) {
         pieces.back().steps.push_back({step.cell, last == 0.0 ? step.from : at(last), uv});
         pieces.back().points.push_back(p);
