@@ -47,11 +47,11 @@ double longest_side(const PlateMesh& mesh, const PlateMesh::Element& element) {
 std::vector<Eigen::Matrix3d> parts_of_triangle(int k) {
   std::vector<Eigen::Matrix3d> parts;
   const auto at = [k](int i, int j) -> Eigen::Vector3d {
-    // Rows of parts that stand, and of parts on their heads between them.
     return Eigen::Vector3d(k - i - j, i, j) / static_cast<double>(k);
   };
   for (int i = 0; i < k; ++i) {
     for (int j = 0; i + j < k; ++j) {
+      // One that stands, and one on its head beside it, but at the row's end.
       Eigen::Matrix3d part;
       part << at(i, j), at(i + 1, j), at(i, j + 1);
       parts.push_back(part);
@@ -151,7 +151,7 @@ std::optional<PlatePoint> plate_point(const surface::LimitSurface& surface, cons
   const auto jet = surface.evaluate(t.cell, std::clamp(uv.x(), 0.0, 1.0),
                                     std::clamp(uv.y(), 0.0, 1.0), bending ? 2 : 1);
   const Vector3d normal = jet.du.cross(jet.dv);
-  // Of the lengths of both: where they are parallel, or one is gone, there is no tangent plane.
+  // Beside the lengths of both: where they are parallel, or one is gone, there is no tangent plane.
   if (!(normal.norm() > 1e-12 * (jet.du.squaredNorm() + jet.dv.squaredNorm()))) {
     return std::nullopt;
   }

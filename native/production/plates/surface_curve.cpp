@@ -130,8 +130,8 @@ class Joiner {
       const Vector2d uv = on_square_side(h % 4, t);
       return CellPlace{h / 4, uv.x(), uv.y()};
     };
+    // The sum of two distances is convex along a straight side, and nearly so along others.
     const auto shortness = [&](double t) {
-      // The sum of two distances is convex along a straight side, and nearly so along others.
       const CellPlace at = place(t);
       const Vector3d p = surface_.position(at.cell, at.u, at.v);
       return -(p - a).norm() - (p - b).norm();
