@@ -190,7 +190,7 @@ void Development::descend(Eigen::VectorXd& x, Eigen::VectorXd& best, DevelopedRo
     const Eigen::MatrixXd j = jacobian(x);
     Eigen::MatrixXd square = j.transpose() * j;
     square.diagonal() *= 1.0 + damping;
-    square.diagonal().array() += 1e-12 * square.trace();  // where nothing changes
+    square.diagonal().array() += 1e-12 * square.trace();  // for what changes nothing
     Eigen::VectorXd step = -square.ldlt().solve(j.transpose() * residuals(x));
     Eigen::VectorXd tried = x + step;
     for (int i = 0; i < kMostHalvings && distance(moved(tried)) > limits_.distance; ++i) {

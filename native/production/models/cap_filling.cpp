@@ -149,10 +149,10 @@ class EarCutter {
     const std::size_t n = loop_.size();
     if (!touching && (!sets_out_inside(loop_, (i + n - 1) % n, places_, places_[c]) ||
                       !sets_out_inside(loop_, (i + 1) % n, places_, places_[a]))) {
-      // Corners at the ear's own places are those that a joined hole has twice, or touch it.
       return false;
     }
     for (const int corner : loop_) {
+      // Corners at the ear's own places are those that a joined hole has twice, or touch it.
       const Vector2d& q = places_[corner];
       if (q == places_[a] || q == places_[b] || q == places_[c]) continue;
       if (covers(places_, a, b, c, q)) return false;

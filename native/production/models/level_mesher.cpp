@@ -68,8 +68,8 @@ void LevelMesher::descend(const Node& at, int size, double near, double begin, d
   const int half = size / 2;
   for (int k = 0; k < 8; ++k) {
     const Node corner = corner_of({0, 0, 0}, k);
-    // A child's middle is half as far from this one as the corners are.
     const double share = (end - begin) / 8.0;
+    // A child's middle is half as far from this one as the corners are.
     descend({at[0] + half * corner[0], at[1] + half * corner[1], at[2] + half * corner[2]}, half,
             found.distance + 0.5 * reach, begin + k * share, begin + (k + 1) * share, progress);
   }

@@ -42,8 +42,8 @@ AxisRays::AxisRays(const ClosedModel& model, int axis)
     : model_(model), axis_(axis), u_((axis + 1) % 3), v_((axis + 2) % 3) {
   Eigen::AlignedBox3d box;
   for (const Vector3d& p : model.points) box.extend(p);
-  // A line then looks at few triangles but those that it meets.
-  // About as many bins as triangles, as square as that goes.
+  // About as many bins as triangles, as square as that goes: a line then looks at few triangles but
+  // those that it meets.
   const double wide = std::max(box.sizes()[u_], 1e-300), high = std::max(box.sizes()[v_], 1e-300);
   const double side = std::sqrt(wide * high / std::max<double>(1.0, model.triangles.size()));
   columns_ = static_cast<int>(std::clamp(std::ceil(wide / side), 1.0, 4096.0));

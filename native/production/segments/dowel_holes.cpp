@@ -173,8 +173,8 @@ void add_dowel_holes(ModelSegments& result, const Dowels& dowels) {
       }
     }
   }
+  // Of the polygon that is drilled, not of its circle.
   const double disc =
-      // Of the polygon that is drilled, not of its circle.
       0.5 * kDowelCorners * std::sin(2.0 * M_PI / kDowelCorners) * dowels.radius * dowels.radius;
   result.holes_volume = result.holes * disc * dowels.depth;
 }
