@@ -35,6 +35,7 @@ std::vector<Ruling> longest_chain(std::vector<Candidate>& all) {
     Candidate& own = all[i];
     for (std::size_t k = 0; k < i; ++k) {
       const Candidate& other = all[k];
+      // A row has one ruling of the chain at most.
       if (other.row == own.row || other.t > own.t) continue;
       const double steps = other.steps + (own.t - other.t) * (own.t - other.t);
       const bool is_longer = other.length + 1 > own.length;

@@ -42,6 +42,8 @@ Rows bezier_rows(surface::PointWeights& weights, const Topology& control, int h,
   Rows rows;
   for (int j = 0; j < 4; ++j) {
     const double s = backwards ? 1.0 - j / 3.0 : j / 3.0;
+    // All is linear in the control points: Bezier points are sums of the curve's points, and these
+    // of control points.
     for (const auto& [point, weight] : on_edge(weights, control, h, s)) {
       for (int i = 0; i < 4; ++i) rows[i][point] += from_values(i, j) * weight;
     }

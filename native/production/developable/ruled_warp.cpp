@@ -116,6 +116,7 @@ LargestWarp largest_warp(const BezierSpan& a, const BezierSpan& b, double tolera
   for (int count = 1; count < kMostParts; ++count) {
     const Part worst = parts.top();
     const double longest = std::sqrt(std::max(most(worst.length), 0.0));
+    // Halving the part of the largest bound is all that can lower the bound of the whole.
     if (worst.bound <= (1.0 + tolerance) * result.found || worst.bound * longest <= kNoWarp) break;
     parts.pop();
     for (Part& part : halved(worst)) {

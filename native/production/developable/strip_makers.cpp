@@ -55,6 +55,7 @@ std::optional<Meeting> meeting(const Vector3d& from, const Vector3d& to, const V
   // Across the ray, in the plane of both.
   const Vector3d aside = way - way.dot(direction) * direction;
   const double part = off.dot(aside) / aside.squaredNorm();
+  // Without the part along the segment what is left runs along the ray.
   const double ray = (off - part * way).dot(direction);
   // Ends count, so that a ruling is not missed between two segments.
   constexpr double kEnd = 1e-12;

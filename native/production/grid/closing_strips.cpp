@@ -98,6 +98,7 @@ void ClosingStrips::close_to_centre_plane(const BorderLoop& loop, const std::vec
 }
 
 void ClosingStrips::close_to_point(const BorderLoop& loop) {
+  // One point for all lines: quadrilaterals become triangles there.
   const int apex = add_point(loop.end);
   std::vector<Line> lines;
   for (int p : loop.points) lines.push_back({p, apex, {}});

@@ -48,6 +48,7 @@ std::pair<bool, double> bend_in_centre(const PlatedShell& shell, const Plate& pl
   for (const int t : plate.triangles) {
     const ShellTriangle& triangle = shell.mesh.triangles[t];
     const auto corner = [&](int k) { return shell.mesh.points[triangle.points[k]]; };
+    // Doubled areas: only the direction of the sum counts.
     sum += (corner(1) - corner(0)).cross(corner(2) - corner(0));
     for (int k = 0; k < 3; ++k) {
       const int next = (k + 1) % 3;

@@ -148,6 +148,7 @@ class CylinderCutter {
       }
     }
     if (--left_ < 0 || seen.box().diagonal().norm() < kTouchingCylinder * size_) refuse(seen);
+    // Across the longer side, so that parts stay about square.
     const int axis = part.du >= part.dv ? 0 : 1;
     BezierPatch low, high;
     seen.split(axis, low, high);

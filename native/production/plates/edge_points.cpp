@@ -104,6 +104,7 @@ Vector2d EdgePoints::put_on_sides(int cell, Vector2d uv) {
 }
 
 void EdgePoints::divide(int edge, int parts, double clear) {
+  // A point of a curve stands for one of the division that would be next to it.
   const auto room = static_cast<std::int64_t>(clear * static_cast<double>(kParts) / parts);
   std::vector<std::int64_t> taken;
   for (const auto& [at, number] : on_edge_[edge]) taken.push_back(at);

@@ -58,6 +58,7 @@ std::vector<Inside> parts_inside(const FlatPlate& flat, const CurveStep& step) {
   for (const int element : found->second) {
     if (const auto part = inside(flat, element, step)) parts.push_back(*part);
   }
+  // Elements come in the mesh's order, not in that of the step.
   std::sort(parts.begin(), parts.end(),
             [](const Inside& a, const Inside& b) { return a.begin < b.begin; });
   std::vector<Inside> kept;

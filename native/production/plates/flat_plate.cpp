@@ -97,6 +97,7 @@ void measure_bending(FlatPlate& flat) {
   const int most = values[0] > values[1] ? 0 : 1;
   const Vector2d axis = solver.eigenvectors().col(1 - most);
   const double size = std::sqrt(area);
+  // A radius of 1e9 of the plate's size is a plane's.
   const bool is_plane = values[most] * size < 1e-9;
   flat.rolling_radius = is_plane ? std::numeric_limits<double>::infinity() : 1.0 / values[most];
   flat.rolling_angle = is_plane ? 0.0 : std::atan(axis.y() / axis.x());

@@ -94,6 +94,7 @@ CellPlace Walk::along(const CellPlace& a, const CellPlace& b, double length) con
     const double gone = arc_length(p, t_a, jet.point, tangent_at(a.cell, uv, chord));
     const Vector2d off(normal_.dot(jet.point - p), gone - length);
     const Vector2d step = m.fullPivLu().solve(off);
+    // A step may lead out of the cell, though the end is within it.
     uv = (uv - step).cwiseMax(0.0).cwiseMin(1.0);
     if (step.norm() <= 1e-14) break;
   }

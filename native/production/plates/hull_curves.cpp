@@ -79,6 +79,7 @@ class Sampler {
 
   void begin(double b, const CellPlace& at_b, double a) {
     const auto [m, place] = last_place(b, at_b, a);
+    // Sought backwards from where the rule has places: there the run begins.
     runs_.push_back({place});
     between(m, place, b, at_b, 0);
   }

@@ -76,6 +76,7 @@ RolledPlate rolled_plate(const PlateMesh& mesh, const Vector3d& middle) {
   plate.nodes.resize(mesh.node_count, Vector2d::Zero());
   std::vector<char> reached(mesh.corners.size(), 0);
   std::vector<char> used(ways.size(), 0);
+  // From the middle the ways are the shortest, and so is what adds up along them.
   const int root = corner_near(mesh, middle);
   const Way& first = ways[at[root].front()];
   plate.frames[root] = first_frame(surface, first.from == root ? first.step : reversed(first.step));

@@ -42,6 +42,7 @@ SheetSplines::SheetSplines(const Eigen::AlignedBox2d& box, int across) {
 }
 
 SheetSplines SheetSplines::halved() const {
+  // Over the same box: so each function of this grid is a sum of the finer one's.
   SheetSplines finer;
   finer.origin_ = origin_;
   finer.step_ = 0.5 * step_;

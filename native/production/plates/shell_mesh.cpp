@@ -58,6 +58,7 @@ class Builder {
   };
 
   int parts_of(double length, double turn) const {
+    // By length and by turn: what bends is cut finer.
     const double parts = std::ceil(std::max(length / size_, turn / kTurn));
     return static_cast<int>(std::clamp(parts, 1.0, 1.0 * kMostParts));
   }

@@ -197,6 +197,7 @@ std::vector<std::vector<PlateSide>> Divider::loops_of(const Plate& plate) const 
   }
   std::vector<std::vector<PlateSide>> loops;
   while (!next.empty()) {
+    // Loops begin at their points of the lowest number: the same ones each time.
     std::vector<int> loop{next.begin()->first};
     do {
       const auto found = next.find(loop.back());

@@ -174,6 +174,8 @@ void StrainedSheet::hold_turns() {
 }
 
 std::vector<Vector2d> StrainedSheet::with_turns_held(const std::vector<Vector2d>& c) {
+  // By turns the nearest rotations follow from the map, and the map from them: neither makes the
+  // energy without Poisson's ratio larger.
   if (!held_made_) hold_turns();
   const int n = count_;
   Eigen::MatrixX2d right = Eigen::MatrixX2d::Zero(n, 2);
@@ -196,6 +198,7 @@ Eigen::VectorXd StrainedSheet::downhill(const std::vector<Vector2d>& c) const {
     const Eigen::Vector4d slope =
         by_derivatives(f, point.weight).transpose() * residuals(f, point.weight);
     for (int k = 0; k < kOnPoint; ++k) {
+      // F11 and F21 go with a function's first slope, F12 and F22 with its second one.
       sum.segment<2>(2 * point.functions[k]) -=
           point.slopes(k, 0) * slope.head<2>() + point.slopes(k, 1) * slope.tail<2>();
     }

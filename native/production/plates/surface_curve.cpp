@@ -278,6 +278,7 @@ std::vector<SurfaceCurve> pieces_between(const surface::LimitSurface& surface,
           end == 1.0 ? curve.points[k + 1] : surface.position(step.cell, uv.x(), uv.y());
       // What is shorter than places are told apart by is no step.
       if (end - last > shortest) {
+        // The step's own ends exactly, as other cells have them.
         pieces.back().steps.push_back({step.cell, last == 0.0 ? step.from : at(last), uv});
         pieces.back().points.push_back(p);
         last = end;
