@@ -33,6 +33,7 @@ BezierChain::BezierChain(std::vector<BezierSpan> spans) : spans_(std::move(spans
 }
 
 surface::CurveJet BezierChain::at(double s) const {
+  // The last span has its end, too, at which none begins.
   const int k = std::clamp(static_cast<int>(std::floor(s)), 0, span_count() - 1);
   const BezierSpan& b = spans_[k];
   const double t = s - k, u = 1.0 - t;

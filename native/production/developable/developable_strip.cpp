@@ -29,10 +29,13 @@ struct Candidate {
 
 std::vector<Ruling> longest_chain(std::vector<Candidate>& all) {
   std::size_t best = 0;
+  // Dynamic programming: candidates are in order of their rows, so that all that may lead up to one
+  // come before it.
   for (std::size_t i = 0; i < all.size(); ++i) {
     Candidate& own = all[i];
     for (std::size_t k = 0; k < i; ++k) {
       const Candidate& other = all[k];
+      // A row has one ruling of the chain at most.
       if (other.row == own.row || other.t > own.t) continue;
       const double steps = other.steps + (own.t - other.t) * (own.t - other.t);
       const bool is_longer = other.length + 1 > own.length;
@@ -63,6 +66,7 @@ std::vector<double> between(double from, double to, double step) {
 
 std::vector<double> touching(const BezierChain& a, double s, const BezierChain& b) {
   const surface::CurveJet jet = a.at(s);
+  // A constant is a polynomial of degree 0; f is of degree 3 + 0 + 2, with five roots at most.
   const BernsteinVector tangent{Bernstein{jet.d1.x()}, Bernstein{jet.d1.y()},
                                 Bernstein{jet.d1.z()}};
   std::vector<double> all;
@@ -92,6 +96,7 @@ void check_interval_count(int count) {
 
 DevelopableStrip developable_strip(const BezierChain& a, const BezierChain& b, int count) {
   check_interval_count(count);
+  // A whole number for each span, so that joints of the curve are among the rulings' ends.
   const int spans = a.span_count(), per_span = (count + spans - 1) / spans;
   std::vector<Candidate> candidates;
   for (int i = 0; i <= spans * per_span; ++i) {

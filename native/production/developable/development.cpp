@@ -24,6 +24,7 @@ double slant(const surface::CurveJet& a, const Vector3d& q) {
 
 // Of a curve seen from a point: the angle of the cone of straight lines, ∫ |r x r'| / r².
 double cone_angle(const BezierChain& curve, double from, double to, const Vector3d& tip) {
+  // Gauss and Legendre's rule on [0, 1].
   constexpr int kNodes = 8;
   static const double kAt[] = {0.0198550717512319, 0.1016667612931866, 0.2372337950418355,
                                0.4082826787521751, 0.5917173212478249, 0.7627662049581645,
@@ -50,6 +51,7 @@ class Layout {
 
   DevelopedStrip lay() {
     lay_core();
+    // The cones hang on the core's first and last ruling, and are laid from there outwards.
     for (int i = strip_.first; i > 0; --i) lay_cone(i, i - 1);
     for (int i = strip_.last; i + 1 < static_cast<int>(strip_.rulings.size()); ++i) {
       lay_cone(i, i + 1);
@@ -62,6 +64,7 @@ class Layout {
 
   // The ruling in the middle of two, by the root that lies between theirs.
   double middle(const Ruling& one, const Ruling& other) const {
+    // Without a root nearby the mean stays. The 1e-9 lets t stand still from ruling to ruling.
     const double guess = 0.5 * (one.t + other.t);
     double best = guess, off = other.t - one.t + 1e-9;
     for (double t : touching(a_, 0.5 * (one.s + other.s), b_)) {
@@ -98,6 +101,8 @@ class Layout {
     }
   }
 
+  // The first curve at an interval's end as the span that ends there has it: at a joint the next
+  // span may have another second derivative.
   surface::CurveJet end_of(double from, double to) const {
     const int k = static_cast<int>(std::floor(from + 1e-12));
     return BezierChain({a_.span(std::min(k, a_.span_count() - 1))}).at(to - k);
@@ -105,6 +110,7 @@ class Layout {
 
   void place(int i, const Vector2d& at, double angle) {
     const Ruling& own = strip_.rulings[i];
+    // In the plane the ruling keeps its angle with the first curve, and its length.
     const Vector3d q = ruling(own.s, own.t);
     const surface::CurveJet jet =
         i > strip_.first ? end_of(strip_.rulings[i - 1].s, own.s) : a_.at(own.s);
@@ -121,6 +127,8 @@ class Layout {
     const Vector2d ray = (tip_on_a ? result_.b[laid] : result_.a[laid]) - tip;
     const double cone = tip_on_a ? cone_angle(b_, own.t, other.t, a_.at(own.s).point)
                                  : cone_angle(a_, own.s, other.s, b_.at(own.t).point);
+    // Around a tip on a, below, going on turns clockwise, around one on b, above,
+    // counter-clockwise; going back it is the other way round.
     const double angle = angle_of(ray) + (tip_on_a == forward ? -cone : cone);
     const Vector2d end = tip + ruling(other.s, other.t).norm() * direction(angle);
     result_.a[next] = tip_on_a ? tip : end;

@@ -70,7 +70,7 @@ class Development {
     for (aim_ = made.before; aim_ > limits_.warp && made.iterations < kMostSteps && x.size() > 0;) {
       aim_ = std::max(kStage * aim_, limits_.warp);
       descend(x, best, made);
-      if (made.after > aim_) break;
+      if (made.after > aim_) break;  // a stage that is not reached
     }
     made.points = moved(best);
     made.after = warp_of(row_, made.points);
@@ -190,7 +190,7 @@ void Development::descend(Eigen::VectorXd& x, Eigen::VectorXd& best, DevelopedRo
     const Eigen::MatrixXd j = jacobian(x);
     Eigen::MatrixXd square = j.transpose() * j;
     square.diagonal() *= 1.0 + damping;
-    square.diagonal().array() += 1e-12 * square.trace();
+    square.diagonal().array() += 1e-12 * square.trace();  // for what changes nothing
     Eigen::VectorXd step = -square.ldlt().solve(j.transpose() * residuals(x));
     Eigen::VectorXd tried = x + step;
     for (int i = 0; i < kMostHalvings && distance(moved(tried)) > limits_.distance; ++i) {
@@ -199,7 +199,7 @@ void Development::descend(Eigen::VectorXd& x, Eigen::VectorXd& best, DevelopedRo
     }
     const double there = residuals(tried).squaredNorm();
     if (there >= cost || distance(moved(tried)) > limits_.distance) {
-      damping *= 10.0;
+      damping *= 10.0;  // nearer to the steepest descent
       if (damping > 1e6) return;
       continue;
     }
@@ -211,7 +211,7 @@ void Development::descend(Eigen::VectorXd& x, Eigen::VectorXd& best, DevelopedRo
       made.after = warp;
       best = x;
     }
-    if (is_small) return;
+    if (is_small) return;  // it hardly gets on
   }
 }
 
@@ -239,7 +239,7 @@ void Development::find_freedom(const surface::LimitSurface& surface) {
   for (int i = 0; i < static_cast<int>(row_.points().size()); ++i) {
     const int p = row_.points()[i];
     const mesh::VertexKind kind = topology.kind(p);
-    const bool is_end = kind != mesh::VertexKind::kCrease;
+    const bool is_end = kind != mesh::VertexKind::kCrease;  // corners and darts
     const auto& locked = limits_.locked;
     if (!row_.is_own()[i] || is_end || std::find(locked.begin(), locked.end(), p) != locked.end()) {
       continue;

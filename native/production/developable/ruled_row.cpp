@@ -28,6 +28,8 @@ Eigen::Matrix4d bezier_of_values() {
 // The surface's point on a half-edge of the control mesh, s of the way along.
 std::vector<surface::PointWeight> on_edge(surface::PointWeights& weights, const Topology& control,
                                           int h, double s) {
+  // An edge is the side of two cells: along u of that at its origin, backwards along v of the next
+  // corner's.
   if (s <= 0.5) return weights.at(h, 2.0 * s, 0.0);
   return weights.at(control.next(h), 0.0, 2.0 * (1.0 - s));
 }
@@ -35,10 +37,13 @@ std::vector<surface::PointWeight> on_edge(surface::PointWeights& weights, const 
 using Rows = std::array<std::map<int, double>, 4>;  // of Bézier points, by control point
 
 Rows bezier_rows(surface::PointWeights& weights, const Topology& control, int h, bool backwards) {
+  // The curve along an edge is one cubic unless a dart is at its end: four of its points tell it.
   static const Eigen::Matrix4d from_values = bezier_of_values();
   Rows rows;
   for (int j = 0; j < 4; ++j) {
     const double s = backwards ? 1.0 - j / 3.0 : j / 3.0;
+    // All is linear in the control points: Bezier points are sums of the curve's points, and these
+    // of control points.
     for (const auto& [point, weight] : on_edge(weights, control, h, s)) {
       for (int i = 0; i < 4; ++i) rows[i][point] += from_values(i, j) * weight;
     }
@@ -62,6 +67,7 @@ class Sides {
     if (first != second) return first ? 0 : 1;
     if (!first) return -1;
     // The row goes on across sides that are no creases; here all are.
+    // Where the chains run along side 0 the row goes on across sides 1 and 3.
     const auto goes_on = [&](int side) { return is_inside(h + side) || is_inside(h + side + 2); };
     if (goes_on(0) != goes_on(1)) return goes_on(1) ? 0 : 1;
     return length(h) + length(h + 2) >= length(h + 1) + length(h + 3) ? 0 : 1;
@@ -119,6 +125,7 @@ RuledRow::RuledRow(const surface::LimitSurface& surface, const std::vector<int>&
       }
       own.insert(control.origin(corner));
     }
+    // The opposite side runs against this one: backwards, so that rulings join equal parameters.
     rows.push_back(
         {bezier_rows(weights, control, h, false), bezier_rows(weights, control, other, true)});
     for (const Rows& curve : rows.back()) {
@@ -130,6 +137,7 @@ RuledRow::RuledRow(const surface::LimitSurface& surface, const std::vector<int>&
   all.insert(own.begin(), own.end());
   points_.assign(all.begin(), all.end());
   for (const int p : points_) is_own_.push_back(own.contains(p));
+  // Few points count for a face's curves: matrices over these alone, not over all of the row's.
   for (std::size_t k = 0; k < rows.size(); ++k) {
     Span span{faces[k], {}, {}, {}};
     std::set<int> used;

@@ -29,6 +29,7 @@ double magnitude(const Bernstein& p) { return std::max(std::abs(least(p)), std::
 double bound_of(const Part& part) {
   const double shortest = least(part.length);
   const double product = least(part.first) * least(part.second);
+  // An angle is no more than pi.
   const double anything = shortest > 0.0 ? std::numbers::pi / std::sqrt(shortest)
                                          : std::numeric_limits<double>::infinity();
   if (!(least(part.first) > 0.0 && least(part.second) > 0.0 && least(part.both) > 0.0)) {
@@ -48,15 +49,16 @@ Part whole(const BezierSpan& a, const BezierSpan& b) {
   const BernsteinVector first = cross(da, q), second = cross(db, q);
   Part part{0.0,
             1.0,
-            dot(cross(da, db), q),
-            dot(first, first),
+            dot(cross(da, db), q),  // of degree 2 + 2 + 3
+            dot(first, first),      // of degree 2 (2 + 3), as the two below
             dot(second, second),
             dot(first, second),
-            dot(q, q),
+            dot(q, q),  // of degree 6
             0.0,
             0.0};
   part.slack = kRounding;
   for (const BernsteinVector* column : {&da, &db, &q}) {
+    // The product of the columns' sums of moduli has all terms of the determinant in it.
     part.slack *= magnitude((*column)[0]) + magnitude((*column)[1]) + magnitude((*column)[2]);
   }
   part.bound = bound_of(part);
@@ -77,6 +79,7 @@ std::array<Part, 2> halved(const Part& part) {
                  length[i],
                  part.slack,
                  0.0};
+    // A part has no more warp than the whole, whatever rounding makes of its coefficients.
     result[i].bound = std::min(part.bound, bound_of(result[i]));
   }
   return result;
@@ -90,6 +93,7 @@ double warp_at(const BezierSpan& a, const BezierSpan& b, double t) {
   const double length = q.norm();
   if (length == 0.0) return std::numeric_limits<double>::infinity();
   const double twist = std::abs(one.d1.cross(other.d1).dot(q));
+  // |n1 x n2| = |q| |det|; against n1 · n2 this is right beyond 90°, too.
   const double along = one.d1.cross(q).dot(other.d1.cross(q));
   return std::atan2(twist * length, along) / length;
 }
@@ -106,10 +110,13 @@ LargestWarp largest_warp(const BezierSpan& a, const BezierSpan& b, double tolera
   const auto smaller = [](const Part& one, const Part& other) { return one.bound < other.bound; };
   std::priority_queue<Part, std::vector<Part>, decltype(smaller)> parts(smaller);
   parts.push(whole(a, b));
+  // What was found rises with every sample, the queue's top falls: the largest warp is between
+  // them.
   for (double t : {0.0, 0.5, 1.0}) meet(t);
   for (int count = 1; count < kMostParts; ++count) {
     const Part worst = parts.top();
     const double longest = std::sqrt(std::max(most(worst.length), 0.0));
+    // Halving the part of the largest bound is all that can lower the bound of the whole.
     if (worst.bound <= (1.0 + tolerance) * result.found || worst.bound * longest <= kNoWarp) break;
     parts.pop();
     for (Part& part : halved(worst)) {

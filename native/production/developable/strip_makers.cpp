@@ -45,15 +45,19 @@ struct Meeting {
 
 std::optional<Meeting> meeting(const Vector3d& from, const Vector3d& to, const Vector3d& direction,
                                const Vector3d& on_a, const Vector3d& on_b) {
+  // The ruling's line is cut by the plane of the segment and its rays.
   const Vector3d way = to - from, q = on_b - on_a, normal = direction.cross(way);
   const double rise = normal.dot(q);
+  // No plane where the segment runs along the rays, no point where the ruling lies in it.
   if (std::abs(rise) <= 1e-14 * normal.norm() * q.norm()) return std::nullopt;
   const double along = normal.dot(from - on_a) / rise;
   const Vector3d off = on_a + along * q - from;
   // Across the ray, in the plane of both.
   const Vector3d aside = way - way.dot(direction) * direction;
   const double part = off.dot(aside) / aside.squaredNorm();
+  // Without the part along the segment what is left runs along the ray.
   const double ray = (off - part * way).dot(direction);
+  // Ends count, so that a ruling is not missed between two segments.
   constexpr double kEnd = 1e-12;
   const auto within = [](double t) { return t >= -kEnd && t <= 1.0 + kEnd; };
   if (!within(along) || !within(part) || ray < 0.0) return std::nullopt;
@@ -99,7 +103,7 @@ std::vector<StripLine> projected_on(const StripBetween& strip, const std::vector
     throw std::invalid_argument("A line that is projected must have two points or more.");
   }
   std::vector<StripLine> lines;
-  int last = -2;
+  int last = -2;  // no ruling is after that: the first one that is met begins a line
   for (int i = 0; i < static_cast<int>(strip.strip.rulings.size()); ++i) {
     const Ruling& ruling = strip.strip.rulings[i];
     const Vector3d on_a = strip.a.at(ruling.s).point, on_b = strip.b.at(ruling.t).point;

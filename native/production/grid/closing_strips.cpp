@@ -10,6 +10,8 @@
 namespace hull::production {
 
 BorderLoop loop_closed_by(const analysis::ClosingPatch& closing, bool mirrored, double size) {
+  // Caps run along the border at v = 0, against its direction, and end where the straight lines do,
+  // at v = 1.
   const Vector3d a = surface::evaluate_bicubic(closing.cap, 0.0, 1.0, 0).point;
   const Vector3d b = surface::evaluate_bicubic(closing.cap, 1.0, 1.0, 0).point;
   // Lines to a plane keep their x and z.
@@ -40,6 +42,8 @@ void ClosingStrips::add_quad(int a, int b, int c, int d) {
 
 int ClosingStrips::parts_of(const std::vector<Line>& lines) const {
   if (!options_.parts_across) return 1;
+  // All of the loop's lines at once: neighbours have the same number of parts, to share their
+  // points.
   ClosingLines ends;
   for (const Line& line : lines) {
     ends.push_back({grid_.points[line.from], grid_.points[line.to]});
@@ -61,12 +65,14 @@ void ClosingStrips::divide(std::vector<Line>& lines) {
 }
 
 void ClosingStrips::add_strip(const Line& line, const Line& next) {
+  // Against the border's direction, in which the shell has the same sides.
   for (std::size_t k = 0; k + 1 < line.points.size(); ++k) {
     add_quad(next.points[k], line.points[k], line.points[k + 1], next.points[k + 1]);
   }
 }
 
 void ClosingStrips::add_end(const Line& line, const Line& next) {
+  // A fan from the undivided line's end, as that line has no points between for a strip.
   for (std::size_t k = 0; k + 1 < next.points.size(); ++k) {
     add_quad(line.from, next.points[k + 1], next.points[k], next.points[k]);
   }
@@ -92,6 +98,7 @@ void ClosingStrips::close_to_centre_plane(const BorderLoop& loop, const std::vec
 }
 
 void ClosingStrips::close_to_point(const BorderLoop& loop) {
+  // One point for all lines: quadrilaterals become triangles there.
   const int apex = add_point(loop.end);
   std::vector<Line> lines;
   for (int p : loop.points) lines.push_back({p, apex, {}});

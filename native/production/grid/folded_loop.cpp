@@ -30,6 +30,8 @@ std::vector<int> sides_of(const std::vector<Vector3d>& points, const std::vector
 // Parts of the length along x and z that have been run through at each point.
 std::vector<double> run_along(const std::vector<Vector3d>& points, const std::vector<int>& chain) {
   std::vector<double> run{0.0};
+  // Without y, so that sides of a fold that are mirror images have run equally far at the same
+  // points.
   for (std::size_t i = 1; i < chain.size(); ++i) {
     Vector3d step = points[chain[i]] - points[chain[i - 1]];
     step.y() = 0.0;
@@ -65,7 +67,8 @@ std::vector<std::array<int, 2>> lines_across(const std::vector<Vector3d>& points
   if (changes != 1) refuse(points[loop[0]]);
   std::vector<int> port, starboard;
   std::size_t i = begin;
-  // A point in the plane belongs to both chains; of several that follow one another the last does.
+  // A point in the plane belongs to both chains; of several that follow one another the one beside
+  // the port side does.
   const bool starts_in_plane = sides[begin] == 0;
   if (starts_in_plane) port.push_back(loop[i]);
   for (i = (i + 1) % n; sides[i] > 0; i = (i + 1) % n) port.push_back(loop[i]);
@@ -81,6 +84,8 @@ std::vector<std::array<int, 2>> lines_across(const std::vector<Vector3d>& points
   std::vector<std::array<int, 2>> lines{{port[0], starboard[0]}};
   std::size_t p = 0, s = 0;
   while (p + 1 < port.size() || s + 1 < starboard.size()) {
+    // A side that is at its end is behind the other one for good: 2 is beyond all parts of the
+    // length.
     const double port_next = p + 1 < port.size() ? a[p + 1] : 2.0;
     const double starboard_next = s + 1 < starboard.size() ? b[s + 1] : 2.0;
     const double ahead = port_next - starboard_next;

@@ -9,6 +9,8 @@ namespace hull::production {
 
 GridPoints::GridPoints(const mesh::Topology& cells, const surface::CellDivisions& divisions)
     : cells_(cells), divisions_(divisions) {
+  // Counted in 64 bits. Numbers of vertices come first, then those of the insides of edges, then
+  // those of the insides of cells.
   std::int64_t next = 0;
   const auto take = [&next](std::int64_t more) {
     const std::int64_t first = next;
@@ -34,6 +36,8 @@ GridPoints::GridPoints(const mesh::Topology& cells, const surface::CellDivisions
 }
 
 int GridPoints::at(int cell, int i, int j) const {
+  // Half-edge h + k is side k of the cell, and runs around it: sides 2 and 3 come back against u
+  // and v.
   const int h = 4 * cell, nu = divisions_.u(cell), nv = divisions_.v(cell);
   if (j == 0) return on_side(h, i);
   if (i == nu) return on_side(h + 1, j);
@@ -46,6 +50,7 @@ int GridPoints::on_side(int h, int k) const {
   const int n = divisions_.side(h);
   if (k == 0) return vertices_[cells_.origin(h)];
   if (k == n) return vertices_[cells_.origin(cells_.next(h))];
+  // An edge's points are numbered along its front half-edge.
   return edges_[cells_.edge(h)] + (cells_.is_edge_front(h) ? k : n - k) - 1;
 }
 

@@ -50,6 +50,7 @@ class GridBuilder {
       for (int i = 0; i <= nu; ++i) {
         uv.push_back(sides_.uv(cell, i, j));
         const int point = numbers_.at(cell, i, j);
+        // A common point is that of the first cell that has it.
         if (done_[point]) continue;
         done_[point] = 1;
         grid_.points[point] = surface_.position(cell, uv.back().x(), uv.back().y());
@@ -60,6 +61,7 @@ class GridBuilder {
         grid_.quads.push_back({numbers_.at(cell, i, j), numbers_.at(cell, i + 1, j),
                                numbers_.at(cell, i + 1, j + 1), numbers_.at(cell, i, j + 1)});
         if (!options_.places) continue;
+        // Rows of nu + 1 parameters: the corners counter-clockwise from (i, j).
         const int low = j * (nu + 1) + i, high = low + nu + 1;
         grid_.places.push_back({cell, false, {uv[low], uv[low + 1], uv[high + 1], uv[high]}});
       }
@@ -81,6 +83,7 @@ class GridBuilder {
     std::vector<BorderLoop> loops;
     const auto& border = body_.border();
     for (std::size_t e = 0; e < border.size(); ++e) {
+      // The first edge of a loop tells how all of it is closed.
       if (border[e].loop == static_cast<int>(loops.size())) {
         loops.push_back(
             loop_closed_by(body_.closings()[e], body_.mirrored(), surface_.mesh().size()));
@@ -108,6 +111,7 @@ class GridBuilder {
 
   // Numbers of the mirror images, the points' own where both sides share them.
   std::vector<int> add_image() {
+    // Points of the grid come before those of closings, which have images of their own.
     std::vector<int> images(numbers_.count());
     for (int p = 0; p < numbers_.count(); ++p) {
       images[p] = p;
@@ -119,6 +123,7 @@ class GridBuilder {
     const std::size_t quads = grid_.quads.size(), knuckles = grid_.knuckles.size();
     for (std::size_t q = 0; q < quads; ++q) {
       const std::array<int, 4> own = grid_.quads[q];
+      // Mirroring turns a face over: corners run the other way round from the same first one.
       grid_.quads.push_back({images[own[0]], images[own[3]], images[own[2]], images[own[1]]});
       if (!options_.places) continue;
       const QuadPlace place = grid_.places[q];
@@ -128,6 +133,7 @@ class GridBuilder {
     for (std::size_t k = 0; k < knuckles; ++k) {
       const std::array<int, 2> own = grid_.knuckles[k];
       const std::array<int, 2> image{images[own[0]], images[own[1]]};
+      // A knuckle in the centre plane is its own image.
       if (image != own) grid_.knuckles.push_back(image);
     }
     return images;
@@ -137,6 +143,7 @@ class GridBuilder {
     BorderLoop image = loop;
     image.end.y() = -image.end.y();
     for (std::size_t i = 0; i < loop.points.size(); ++i) {
+      // Backwards, so that the image has its own surface on the left again.
       image.points[i] = images[loop.points[loop.points.size() - 1 - i]];
     }
     return image;

@@ -19,6 +19,7 @@ double SidePoints::along(int h, int k) const {
 // points j of the sides u = 0 and 1. Their slopes are below 1, so that they cross once.
 Eigen::Vector2d SidePoints::uv(int cell, int i, int j) const {
   const int h = 4 * cell, nu = divisions_.u(cell), nv = divisions_.v(cell);
+  // Sides 2 and 3 run against u and v: their numbers count down, and so do their parameters.
   const double low = along(h, i), high = 1.0 - along(h + 2, nu - i);
   const double left = 1.0 - along(h + 3, nv - j), right = along(h + 1, j);
   const double lean = high - low, rise = right - left;

@@ -25,6 +25,7 @@ bool encloses(const PointLoop& loop, const PlanePlaces& places, const Vector2d& 
   bool inside = false;
   for (std::size_t i = 0, j = loop.size() - 1; i < loop.size(); j = i++) {
     const Vector2d &a = places[loop[i]], &b = places[loop[j]];
+    // Corners at the ray's height count as below it, so that none is passed twice.
     if ((a.y() > p.y()) == (b.y() > p.y())) continue;
     if (p.x() < a.x() + (p.y() - a.y()) * (b.x() - a.x()) / (b.y() - a.y())) inside = !inside;
   }
@@ -36,6 +37,7 @@ bool encloses(const PointLoop& loop, const PlanePlaces& places, const Vector2d& 
 bool sets_out_inside(const PointLoop& loop, std::size_t i, const PlanePlaces& places,
                      const Vector2d& to) {
   const Vector2d& at = places[loop[i]];
+  // The inside is what is passed from the next side counter-clockwise to the one before.
   const Vector2d next = places[loop[(i + 1) % loop.size()]] - at;
   const Vector2d before = places[loop[(i + loop.size() - 1) % loop.size()]] - at;
   return angle_between(next, to - at) < angle_between(next, before);
@@ -78,6 +80,8 @@ std::size_t seen_from(const PointLoop& outer, const PlanePlaces& places, const V
     }
     return found;
   }
+  // Eberly 2008: corners in the triangle of m, the hit and the end may hide that end; of these the
+  // one in the flattest direction, the nearest of several, is seen.
   const Vector2d hit(nearest, m.y()), end = places[outer[found]];
   const bool upward = end.y() > m.y();
   double least = std::numeric_limits<double>::infinity(), nearby = least;
@@ -102,6 +106,7 @@ void join_hole(PointLoop& outer, const PointLoop& hole, const PlanePlaces& place
   const std::size_t from = rightmost(hole, places);
   const std::size_t at = seen_from(outer, places, places[hole[from]]);
   PointLoop joined(outer.begin(), outer.begin() + static_cast<std::ptrdiff_t>(at) + 1);
+  // Its first corner comes twice, and so does the one of `outer`.
   for (std::size_t k = 0; k <= hole.size(); ++k) joined.push_back(hole[(from + k) % hole.size()]);
   joined.insert(joined.end(), outer.begin() + static_cast<std::ptrdiff_t>(at), outer.end());
   outer = std::move(joined);
@@ -114,6 +119,8 @@ class EarCutter {
 
   void cut(std::vector<std::array<int, 3>>& triangles) {
     std::size_t at = 0, failed = 0;
+    // Without an ear in a whole round those that touch are taken, too; after another one any
+    // corner.
     while (loop_.size() > 3) {
       at %= loop_.size();
       if (failed >= 2 * loop_.size()) {
@@ -145,6 +152,7 @@ class EarCutter {
       return false;
     }
     for (const int corner : loop_) {
+      // Corners at the ear's own places are those that a joined hole has twice, or touch it.
       const Vector2d& q = places_[corner];
       if (q == places_[a] || q == places_[b] || q == places_[c]) continue;
       if (covers(places_, a, b, c, q)) return false;
@@ -177,6 +185,7 @@ std::vector<PointLoop> chained(const std::vector<std::pair<int, int>>& sides,
     std::vector<int>& choices = leaving.at(at);
     std::size_t best = 0;
     if (before >= 0 && choices.size() > 1) {
+      // The first choice clockwise from the way back is the one furthest to the left.
       const Vector2d back = places[before] - places[at];
       double least = std::numeric_limits<double>::infinity();
       for (std::size_t k = 0; k < choices.size(); ++k) {
@@ -235,6 +244,7 @@ std::vector<std::array<int, 3>> filled(const std::vector<PointLoop>& loops,
   }
   std::vector<std::array<int, 3>> triangles;
   for (std::size_t k = 0; k < outer.size(); ++k) {
+    // From the right: what a hole sees to its right is joined already.
     std::sort(within[k].begin(), within[k].end(), [&](const PointLoop& a, const PointLoop& b) {
       return places[a[rightmost(a, places)]].x() > places[b[rightmost(b, places)]].x();
     });

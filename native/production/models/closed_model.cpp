@@ -48,6 +48,7 @@ void add_quad(const HullGrid& grid, std::size_t quad, ClosedModel& model) {
 
 // Sides no longer than `near` become points, triangles that have one are left out.
 void weld(ClosedModel& model, double near) {
+  // Union-find: the root of a group is its point of the lowest number.
   std::vector<int> one(model.points.size());
   std::iota(one.begin(), one.end(), 0);
   const auto root = [&one](int p) {
@@ -56,6 +57,7 @@ void weld(ClosedModel& model, double near) {
   };
   for (const std::array<int, 3>& triangle : model.triangles) {
     for (int k = 0; k < 3; ++k) {
+      // Along sides alone: what is near without a side between is of another part of the body.
       const int a = root(triangle[k]), b = root(triangle[(k + 1) % 3]);
       if ((model.points[a] - model.points[b]).norm() <= near) one[std::max(a, b)] = std::min(a, b);
     }
@@ -65,6 +67,7 @@ void weld(ClosedModel& model, double near) {
   for (std::size_t k = 0; k < model.triangles.size(); ++k) {
     const auto& [a, b, c] = model.triangles[k];
     const std::array<int, 3> t{root(a), root(b), root(c)};
+    // A side that is a point takes both of its triangles along, so that no other side is left open.
     if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) continue;
     kept.push_back(t);
     if (!model.cells.empty()) cells.push_back(model.cells[k]);
@@ -75,6 +78,7 @@ void weld(ClosedModel& model, double near) {
 }
 
 void flip_slivers_of_closings(ClosedModel& model) {
+  // The shell's triangles are within the chord tolerance as they are; others might not be.
   std::vector<std::array<int, 3>> closings;
   for (std::size_t k = 0; k < model.triangles.size(); ++k) {
     if (model.cells[k] < 0) closings.push_back(model.triangles[k]);
@@ -91,6 +95,7 @@ void flip_slivers_of_closings(ClosedModel& model) {
 double ClosedModel::volume() const {
   if (points.empty()) return 0.0;
   double sum = 0.0;
+  // About a point of the model: far from the origin the terms would cancel.
   const Vector3d& origin = points[0];
   for (const auto& [a, b, c] : triangles) {
     sum += (points[a] - origin).dot((points[b] - origin).cross(points[c] - origin));

@@ -59,6 +59,7 @@ HollowModel hollowed(const ClosedModel& model, double wall, double cell,
   }
   HollowModel result;
   result.hollows = inner.parts;
+  // The triangles face into the hollow, and enclose it inside out.
   result.hollow_volume = -volume_of(inner.points, inner.triangles);
   result.model = model;
   result.model.cells.clear();  // the hollows' triangles are of none
@@ -83,10 +84,12 @@ double wall_volume(const ClosedModel& model, double wall) {
     const auto& p = model.points;
     const Vector3d across = (p[t[1]] - p[t[0]]).cross(p[t[2]] - p[t[0]]);
     const double doubled_area = across.norm();
+    // Without area it stays 0 in Eigen, so that the triangle's edges have no angle.
     const Vector3d normal = across.normalized();
     for (int k = 0; k < 3; ++k) {
       const int a = std::min(t[k], t[(k + 1) % 3]), b = std::max(t[k], t[(k + 1) % 3]);
       const auto key = static_cast<std::uint64_t>(a) << 32 | static_cast<unsigned>(b);
+      // An edge counts once its second triangle comes.
       const auto found = waiting.find(key);
       if (found == waiting.end()) {
         waiting[key] = {normal, t[(k + 2) % 3], doubled_area};
@@ -94,6 +97,7 @@ double wall_volume(const ClosedModel& model, double wall) {
       }
       const Neighbour& other = found->second;
       const double theta = std::atan2(normal.cross(other.normal).norm(), normal.dot(other.normal));
+      // The other triangle's third corner lies below this one's plane.
       const bool convex = normal.dot(p[other.opposite] - p[a]) <= 0.0;
       const double length = (p[b] - p[a]).norm();
       const double narrow = std::min(doubled_area, other.doubled_area);

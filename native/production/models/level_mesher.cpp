@@ -38,6 +38,7 @@ Vector3d LevelMesher::place(const Node& at) const {
 
 void LevelMesher::find_cells(const surface::Progress& progress) {
   const Vector3d sizes = tree_.box().sizes();
+  // A power of two, to be halved down to single cubes, and no more than a node's bits can number.
   int count = 1;
   while (count * cell_ < sizes.maxCoeff() && count < 1 << (kBits - 1)) count *= 2;
   origin_ = tree_.box().center() - Vector3d::Constant(0.5 * cell_ * count);
@@ -50,6 +51,8 @@ void LevelMesher::descend(const Node& at, int size, double near, double begin, d
   const Vector3d middle = place(at) + Vector3d::Constant(0.5 * size * cell_);
   const TriangleTree::Nearest found = tree_.nearest(middle, near);
   if (std::abs(found.distance - distance_) > reach) return;
+  // The surface does not pass this cube: all of it is on the side of its middle. Inside a triangle
+  // the normal tells which; at edges and corners it might not.
   if (found.distance > reach && found.within) {
     const auto& [a, b, c] = model_.triangles[found.triangle];
     const auto& p = model_.points;
@@ -66,12 +69,14 @@ void LevelMesher::descend(const Node& at, int size, double near, double begin, d
   for (int k = 0; k < 8; ++k) {
     const Node corner = corner_of({0, 0, 0}, k);
     const double share = (end - begin) / 8.0;
+    // A child's middle is half as far from this one as the corners are.
     descend({at[0] + half * corner[0], at[1] + half * corner[1], at[2] + half * corner[2]}, half,
             found.distance + 0.5 * reach, begin + k * share, begin + (k + 1) * share, progress);
   }
 }
 
 double LevelMesher::value_at(const Node& at, double near) {
+  // A node has up to eight cubes and many more tetrahedra: it is asked for once.
   const auto [found, is_new] = values_.emplace(node_key(at), 0.0);
   if (is_new) found->second = tree_.nearest(place(at), near).distance - distance_;
   return found->second;
@@ -89,6 +94,8 @@ int LevelMesher::point_between(const Node& low, double low_value, int way, doubl
 
 // The tetrahedron from a cube's lowest corner to its highest one along three sides in this order.
 void LevelMesher::add_tetrahedron(const Cell& cell, const std::array<int, 3>& order, bool even) {
+  // Freudenthal's division: the corners' bits grow by one of the three each, and neighbouring cubes
+  // divide their common face alike.
   std::array<int, 4> corner{0, 0, 0, 0};
   for (int k = 0; k < 3; ++k) corner[k + 1] = corner[k] | 1 << order[k];
   std::array<double, 4> value;
@@ -97,12 +104,14 @@ void LevelMesher::add_tetrahedron(const Cell& cell, const std::array<int, 3>& or
   for (int k = 0; k < 4; ++k) value[k] = value_at(corner_of(cell.at, corner[k]), cell.near);
   for (int k = 0; k < 4; ++k) below += value[k] <= 0.0;
   int low = 0, high = below;
+  // Sorting turns the tetrahedron over when it exchanges an odd number of pairs.
   for (int k = 0; k < 4; ++k) {
     if (value[k] <= 0.0) swaps += high - below;
     sorted[value[k] <= 0.0 ? low++ : high++] = k;
   }
   if (below == 0 || below == 4) return;
   const auto between = [&](int i, int j) {
+    // The lower corner's bits are among the higher one's: what is left is their side's direction.
     const int a = std::min(sorted[i], sorted[j]), b = std::max(sorted[i], sorted[j]);
     return point_between(corner_of(cell.at, corner[a]), value[a], corner[b] ^ corner[a], value[b]);
   };
@@ -113,6 +122,7 @@ void LevelMesher::add_tetrahedron(const Cell& cell, const std::array<int, 3>& or
   };
   if (below == 1) return add(between(0, 1), between(0, 2), between(0, 3));
   if (below == 3) return add(between(3, 0), between(3, 1), between(3, 2));
+  // One after another around the four sides that are passed.
   const int a = between(0, 2), b = between(0, 3), c = between(1, 3), d = between(1, 2);
   add(a, b, c);
   add(a, c, d);
@@ -124,10 +134,12 @@ LevelMesh LevelMesher::mesh(const surface::Progress& progress) {
   for (const Cell& cell : cells_) {
     if (done++ % 4096 == 0) surface::tell(progress, 0.5 * done, static_cast<double>(cells_.size()));
     do {
+      // Orders of odd parity make mirror images of the tetrahedra that the others make.
       const int inversions = (order[0] > order[1]) + (order[0] > order[2]) + (order[1] > order[2]);
       add_tetrahedron(cell, order, inversions % 2 == 0);
     } while (std::next_permutation(order.begin(), order.end()));
   }
+  // Before corners are moved, which costs the most: outer parts need not be.
   keep_inner();
   move_onto_level(surface::part_of(progress, 0.5, 1.0));
   return std::move(mesh_);
@@ -154,6 +166,7 @@ void LevelMesher::keep_inner() {
   for (std::array<int, 3> triangle : mesh_.triangles) {
     const int part = find(triangle[0]);
     if (inside[part] < 0) {
+      // A part does not pass the body's surface: one point tells for all of it.
       inside[part] = tree_.encloses(mesh_.points[part]);
       mesh_.parts += inside[part];
     }
@@ -176,6 +189,8 @@ void LevelMesher::keep_inner() {
 // Along their sides of tetrahedra, so that triangles stay within these and never meet: regula falsi
 // with halved values (Dowell & Jarratt 1971).
 void LevelMesher::move_onto_level(const surface::Progress& progress) {
+  // The side's end below the level is within the distance, and no point of it further away than a
+  // cube's diagonal.
   const double near = distance_ + 2.0 * cell_;
   for (std::size_t i = 0; i < mesh_.points.size(); ++i) {
     if (i % 4096 == 0) {

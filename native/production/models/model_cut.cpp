@@ -27,6 +27,7 @@ std::vector<std::pair<int, int>> unmatched(const std::vector<CornerNumbers>& tri
     for (int k = 0; k < 3; ++k) ++uses[directed_key(t[k], t[(k + 1) % 3])];
   }
   std::vector<std::pair<int, int>> sides;
+  // In the order of triangles, not of the hash table, so that a cut is the same everywhere.
   for (const CornerNumbers& t : triangles) {
     for (int k = 0; k < 3; ++k) {
       const int a = t[k], b = t[(k + 1) % 3];
@@ -38,6 +39,7 @@ std::vector<std::pair<int, int>> unmatched(const std::vector<CornerNumbers>& tri
 
 // Coordinates in a plane across `axis`, as it is seen from the side to which it faces.
 std::vector<Vector2d> seen_places(const std::vector<Vector3d>& points, int axis, bool upward) {
+  // u, v and the axis are right-handed: from below, it is v and u that are.
   const int u = (axis + 1) % 3, v = (axis + 2) % 3;
   std::vector<Vector2d> places;
   places.reserve(points.size());
@@ -49,6 +51,7 @@ std::vector<Vector2d> seen_places(const std::vector<Vector3d>& points, int axis,
 void close_in_plane(ClosedModel& model, int axis, bool upward,
                     std::vector<std::pair<int, int>> sides,
                     const std::vector<PointLoop>& holes = {}) {
+  // What closes the body runs through open sides the other way.
   for (auto& [from, to] : sides) std::swap(from, to);
   const std::vector<Vector2d> places = seen_places(model.points, axis, upward);
   std::vector<PointLoop> loops = chained(sides, places);
@@ -79,6 +82,8 @@ class HalfCutter {
     return (height > at_) == above_ ? 1 : -1;
   }
 
+  // Corners in the plane count for both parts; a triangle that has none beyond it is left out here,
+  // those in the plane from both parts.
   void add(const CornerNumbers& triangle) {
     std::vector<int> kept;
     bool is_inside = false;
@@ -96,13 +101,14 @@ class HalfCutter {
 
   // The same for both triangles of a side, and for both parts.
   int crossing(int a, int b) {
+    // From the lower number on, so that both triangles round alike.
     if (a > b) std::swap(a, b);
     const auto [found, is_new] =
         crossings_.emplace(directed_key(a, b), static_cast<int>(part_.points.size()));
     if (is_new) {
       const Vector3d &p = model_.points[a], &q = model_.points[b];
       Vector3d point = p + (at_ - p[axis_]) / (q[axis_] - p[axis_]) * (q - p);
-      point[axis_] = at_;
+      point[axis_] = at_;  // rounding must not lift it off the plane
       part_.points.push_back(point);
     }
     return found->second;
@@ -140,13 +146,14 @@ ClosedModel drilled(const ClosedModel& model, int axis, double at, bool upward,
   result.points = model.points;
   for (const CornerNumbers& t : model.triangles) {
     const Vector3d &a = model.points[t[0]], &b = model.points[t[1]], &c = model.points[t[2]];
+    // Faces in the plane go, and are made anew around the holes.
     const bool in_plane = a[axis] == at && b[axis] == at && c[axis] == at;
     if (!in_plane || ((b - a).cross(c - a)[axis] > 0.0) != upward) result.triangles.push_back(t);
   }
   std::vector<PointLoop> holes;
   const double bottom = at + (upward ? -depth : depth);
   for (const Vector2d& centre : centres) {
-    PointLoop hole(corners);
+    PointLoop hole(corners);  // clockwise, with the rims of the hole
     const int first = static_cast<int>(result.points.size());
     for (int k = 0; k < corners; ++k) {
       // Counter-clockwise as the plane is seen.
@@ -160,6 +167,7 @@ ClosedModel drilled(const ClosedModel& model, int axis, double at, bool upward,
       result.points.push_back(rim);
       hole[corners - 1 - k] = first + 2 * k;
     }
+    // The wall faces the hole's axis; the bottom is a fan from its first corner.
     for (int k = 0; k < corners; ++k) {
       const int a = first + 2 * k, b = first + 2 * ((k + 1) % corners);
       result.triangles.push_back({a, b, b + 1});

@@ -26,18 +26,23 @@ class Slicer {
     for (int k = 0; k < 3; ++k) {
       const int a = triangle[k], b = triangle[(k + 1) % 3];
       if (is_above(a) == is_above(b)) continue;
+      // Without direction: the side by which one triangle goes up is that by which its neighbour
+      // comes down.
       (is_above(a) ? down : up) = side_key(a, b);
     }
+    // A side is passed downwards by one triangle alone, so that each has one next.
     next_[down] = up;
     order_.push_back(down);
   }
 
   ModelSlice slice() {
     ModelSlice slice{height_, {}};
+    // In the order of triangles, so that contours do not depend on the hash table's.
     for (std::uint64_t start : order_) {
       std::vector<Eigen::Vector2d> contour;
       for (auto at = next_.find(start); at != next_.end(); at = next_.find(start)) {
         const Eigen::Vector2d p = point(at->first);
+        // Where a corner is at the height all of its sides that go down have it as their point.
         if (contour.empty() || p != contour.back()) contour.push_back(p);
         start = at->second;
         next_.erase(at);
@@ -69,6 +74,7 @@ class Slicer {
 double ModelSlice::area() const {
   double sum = 0.0;
   for (const auto& contour : contours) {
+    // The fan of the first point's triangles, with their signs.
     const Eigen::Vector2d& origin = contour[0];
     for (std::size_t i = 0; i + 1 < contour.size(); ++i) {
       const Eigen::Vector2d a = contour[i] - origin, b = contour[i + 1] - origin;
@@ -85,6 +91,7 @@ std::vector<ModelSlice> slices(const ClosedModel& model, const std::vector<doubl
       throw std::invalid_argument("Heights of slices must be finite and rise.");
     }
   }
+  // By height, so that no slice looks through all of the triangles.
   std::vector<std::vector<int>> passing(heights.size());
   for (std::size_t t = 0; t < model.triangles.size(); ++t) {
     double low = model.points[model.triangles[t][0]].z(), high = low;
@@ -118,6 +125,7 @@ ModelLayers layers(const ClosedModel& model, double thickness, const surface::Pr
     low = std::min(low, p.z());
     high = std::max(high, p.z());
   }
+  // A rest of 1e-9 of a layer is rounding, not a layer.
   const double count = std::ceil((high - low) / thickness - 1e-9);
   if (count < 1.0) {
     throw std::invalid_argument("The model has no height to be divided into layers.");

@@ -67,6 +67,8 @@ class Flipper {
     if (before >= least_) return false;
     const int side = longest_side(own);
     const int c = own[side], a = own[(side + 1) % 3], b = own[(side + 2) % 3];  // b is between
+    // Beyond the longest side, from c to a, there is d: the diagonal a-c of these four becomes b-d.
+    // Were b and d neighbours already, that side would belong to four triangles.
     const auto beyond = owner_.find(directed_key(a, c));
     if (beyond == owner_.end()) return false;
     const int other = beyond->second;
@@ -76,6 +78,7 @@ class Flipper {
       return false;
     }
     const Vector3d normal = area(a, c, d);
+    // Both new triangles face as the one beyond does: b lies between a and c as d sees it.
     const bool keeps = area(a, b, d).dot(normal) > 0.0 && area(b, c, d).dot(normal) > 0.0;
     // Strictly better, so that this ends.
     if (!keeps || std::min(height(a, b, d), height(b, c, d)) <= 2.0 * before) return false;

@@ -24,6 +24,7 @@ OnTriangle nearest_on(const Vector3d& p, const Vector3d& a, const Vector3d& b, c
   const double d3 = ab.dot(bp), d4 = ac.dot(bp);
   if (d3 >= 0.0 && d4 <= d3) return {b, false};
   const double vc = d1 * d4 - d3 * d2;
+  // With d1 > d3 nothing is divided by zero on a side without length; likewise below.
   if (vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0 && d1 > d3) return {a + d1 / (d1 - d3) * ab, false};
   const Vector3d cp = p - c;
   const double d5 = ab.dot(cp), d6 = ac.dot(cp);
@@ -54,6 +55,7 @@ TriangleTree::TriangleTree(const ClosedModel& model)
 }
 
 int TriangleTree::build(int begin, int end, const std::vector<Vector3d>& centres) {
+  // Before its children, so that the root is node 0.
   const int number = static_cast<int>(nodes_.size());
   nodes_.emplace_back();
   Eigen::AlignedBox3d box, inner;
@@ -68,6 +70,8 @@ int TriangleTree::build(int begin, int end, const std::vector<Vector3d>& centres
   int axis = 0;
   inner.sizes().maxCoeff(&axis);
   const int middle = (begin + end) / 2;
+  // Halves of equal number: the tree is as deep as its logarithm, and a query's stack can't run
+  // full.
   std::nth_element(order_.begin() + begin, order_.begin() + middle, order_.begin() + end,
                    [&](int a, int b) { return centres[a][axis] < centres[b][axis]; });
   const int left = build(begin, middle, centres), right = build(middle, end, centres);
@@ -77,6 +81,7 @@ int TriangleTree::build(int begin, int end, const std::vector<Vector3d>& centres
 }
 
 TriangleTree::Nearest TriangleTree::nearest(const Vector3d& p, double no_further) const {
+  // Rounding must not exclude the point that the distance is known from.
   Nearest best{p, no_further * (1.0 + 1e-12), -1, false};
   double squared = best.distance * best.distance;
   std::array<std::pair<int, double>, 128> stack;
@@ -87,6 +92,7 @@ TriangleTree::Nearest TriangleTree::nearest(const Vector3d& p, double no_further
     if (away > squared) continue;
     const Node& node = nodes_[number];
     if (node.left >= 0) {
+      // The nearer half is looked at first, and lowers the bound for the other one.
       const double left = nodes_[node.left].box.squaredExteriorDistance(p);
       const double right = nodes_[node.right].box.squaredExteriorDistance(p);
       const bool left_first = left <= right;
@@ -98,6 +104,7 @@ TriangleTree::Nearest TriangleTree::nearest(const Vector3d& p, double no_further
       const auto& [a, b, c] = model_.triangles[order_[i]];
       const OnTriangle found = nearest_on(p, model_.points[a], model_.points[b], model_.points[c]);
       const double distance = (found.point - p).squaredNorm();
+      // A tie with the bound itself is taken; of triangles that tie the first one stays.
       if (distance > squared || (distance == squared && best.triangle >= 0)) continue;
       squared = distance;
       best = {found.point, std::sqrt(distance), order_[i], found.within};
@@ -114,6 +121,7 @@ bool TriangleTree::encloses(const Vector3d& p) const {
     sum += 2.0 * std::atan2(a.dot(b.cross(c)),
                             la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
   }
+  // All of it is 4 pi inside and 0 outside.
   return sum > 2.0 * M_PI;
 }
 

@@ -46,7 +46,7 @@ std::vector<double> panels_along(const surface::LimitSurface& surface, int h,
   return sums;
 }
 
-// The parameters at which equal shares of the sums are reached.
+// The parameters at which equal shares of the sums are reached, linear within the intervals.
 std::vector<double> equal_shares(const std::vector<double>& sums, int parts) {
   std::vector<double> parameters{0.0};
   int k = 0;
@@ -66,6 +66,7 @@ PanelSizeField::PanelSizeField(const surface::LimitSurface& surface, const analy
     : water_(water), both_sides_(both_sides), sizes_(sizes), wet_(surface.cell_count(), 0) {
   check(sizes);
   const Vector3d& up = water.normal;
+  // Level and ahead: the ship's own x laid into the water.
   along_ = (Vector3d::UnitX() - up.x() * up).normalized();
   aft_ = std::numeric_limits<double>::infinity();
   forward_ = -aft_;
@@ -75,6 +76,7 @@ PanelSizeField::PanelSizeField(const surface::LimitSurface& surface, const analy
       for (int i = 0; i <= kSamples; ++i) {
         Vector3d p = surface.position(cell, static_cast<double>(i) / kSamples,
                                       static_cast<double>(j) / kSamples);
+        // The point, then its mirror image.
         for (int side = 0; side < (both_sides ? 2 : 1); ++side, p.y() = -p.y()) {
           if (water.height(p) > 0.0) continue;
           wet_[cell] = 1;
@@ -92,6 +94,7 @@ PanelSizeField::PanelSizeField(const surface::LimitSurface& surface, const analy
 double PanelSizeField::height(const Vector3d& p) const {
   const double own = std::abs(water_.height(p));
   if (!both_sides_) return own;
+  // Both sides are divided alike: the one nearer to the water decides.
   return std::min(own, std::abs(water_.height({p.x(), -p.y(), p.z()})));
 }
 
@@ -113,16 +116,20 @@ SidePoints panel_sides(const surface::LimitSurface& surface, const PanelSizeFiel
     if (!cells.is_edge_front(h)) continue;
     own = panels_along(surface, h, field);
   }
+  // A strip of cells is divided alike from end to end: its longest wet side decides; dry strips
+  // stay undivided.
   std::vector<double> wanted(divisions.strip_count(), 1.0);
   for (int h = 0; h < cells.half_edge_count(); ++h) {
     if (!field.is_wet(h / 4)) continue;
     double& strip = wanted[divisions.strip(h)];
+    // Rounding is no reason for one more part.
     strip = std::max(strip, std::ceil(sums[cells.edge(h)].back() - 1e-9));
   }
   for (int cell = 0; cell < cells.face_count(); ++cell) {
     most += wanted[divisions.strip(4 * cell)] * wanted[divisions.strip(4 * cell + 1)];
   }
   if (most > kMostPanels) {
+    // Their number goes with the square of the size; 5 % are left for parts that are rounded up.
     const double enough = sizes.size * std::sqrt(most / kMostPanels) * 1.05;
     std::ostringstream words;
     words.precision(2);

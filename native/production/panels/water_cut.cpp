@@ -35,6 +35,7 @@ class MovablePoints {
   }
 
   bool may_move(int point, int along) const {
+    // A point inside a knuckle has two of its sides, an end one, a crossing more.
     if (count_[point] == 0) return true;
     return count_[point] == 2 && sides_.count(side_key(point, along)) > 0;
   }
@@ -89,6 +90,7 @@ void WaterCut::find_crossings(const surface::Progress& progress) {
     if (quad % 1024 == 0) surface::tell(progress, static_cast<double>(quad), grid_.quads.size());
     for (int side = 0; side < 4; ++side) {
       const int a = grid_.quads[quad][side], b = grid_.quads[quad][(side + 1) % 4];
+      // A side belongs to two quadrilaterals: the first of them makes its point.
       if (label_[a] * label_[b] >= 0) continue;
       const auto [place, is_new] = crossings_.try_emplace(side_key(a, b));
       if (!is_new) continue;
@@ -97,6 +99,8 @@ void WaterCut::find_crossings(const surface::Progress& progress) {
           [&](double s) { return water_.height(on_side(q, side, s)); }, 0.0,
           water_.height(grid_.points[a]), 1.0, water_.height(grid_.points[b]), 1e-15);
       Vector3d p = on_side(q, side, t);
+      // The root is to 1e-15 of the side; what is left is taken off, so that the height is 0 to
+      // rounding.
       p -= water_.height(p) * water_.normal;
       // Sides in the centre plane stay there.
       if (grid_.points[a].y() == 0.0 && grid_.points[b].y() == 0.0 && water_.normal.y() == 0.0) {
@@ -112,6 +116,7 @@ void WaterCut::find_crossings(const surface::Progress& progress) {
 // Panels that are cut near a corner would be slivers.
 void WaterCut::move_to_water() {
   const MovablePoints movable(grid_);
+  // The nearest of the crossings that a point may be moved to.
   struct Move {
     double length;
     int to;
@@ -121,6 +126,7 @@ void WaterCut::move_to_water() {
     const int low = static_cast<int>(key >> 32), high = static_cast<int>(key & 0xffffffffu);
     for (const auto& [point, other, part] :
          {std::tuple(low, high, crossing.part), std::tuple(high, low, 1.0 - crossing.part)}) {
+      // Knuckles in the centre plane never leave it: both halves meet there.
       const bool keeps = grid_.points[point].y() != 0.0;
       const bool free = movable.may_move(point, other);
       if (part > (free ? kNearWater : keeps ? kAtWater : 0.0)) continue;
@@ -135,6 +141,7 @@ void WaterCut::move_to_water() {
   }
   for (const auto& [point, move] : moves) {
     points_[point] = points_[move.to];
+    // Its crossings are void by that: sides that end at label 0 have none.
     label_[point] = 0;
   }
   for (std::size_t p = 0; p < grid_.points.size(); ++p) {
@@ -151,6 +158,7 @@ void WaterCut::cut_quad(int quad) {
   Polygon polygon;
   bool is_wet = false;
   const double none = kNoLength * surface_.mesh().size();
+  // Corners that were moved to one place are one, so that polygons have no side without length.
   const auto same = [&](int p, int q) { return (points_[p] - points_[q]).norm() <= none; };
   const auto add = [&](int p) {
     if (polygon.empty() || !same(polygon.back(), p)) polygon.push_back(p);
@@ -163,10 +171,12 @@ void WaterCut::cut_quad(int quad) {
   }
   if (polygon.size() > 1 && same(polygon.front(), polygon.back())) polygon.pop_back();
   if (!is_wet || polygon.size() < 3) return;
+  // Six corners are two wet ones, opposite each other, with all four sides passed.
   polygon.size() == 6 ? cut_across(quad, polygon) : add_polygon(std::move(polygon));
 }
 
 // Two corners that face each other are wet: by the middle, whether what lies between them is.
+// Either one panel across the middle, or a triangle at each of the two corners.
 void WaterCut::cut_across(int quad, const Polygon& polygon) {
   const QuadPlace& place = grid_.places[quad];
   Vector3d middle = Vector3d::Zero();
@@ -186,6 +196,7 @@ void WaterCut::cut_across(int quad, const Polygon& polygon) {
 
 double WaterCut::least_angle(const Polygon& polygon) const {
   const int n = static_cast<int>(polygon.size());
+  // Twice the vector area; it says which way the polygon turns.
   Vector3d normal = Vector3d::Zero();
   for (int k = 1; k + 1 < n; ++k) {
     const Vector3d& a = points_[polygon[0]];
@@ -210,14 +221,17 @@ void WaterCut::add_polygon(Polygon polygon) {
   const auto wets =
       std::count_if(polygon.begin(), polygon.end(), [&](int p) { return label_[p] < 0; });
   if (wets == 0) return;
+  // A triangle of which a corner is wet can lie in the water's surface with two corners at most.
   if (n == 3) return add_panel(polygon);
+  // With corners in the water's surface a quadrilateral must be convex, and three of them are too
+  // many.
   if (n == 4 && n - wets < 3 && (n - wets == 0 || least_angle(polygon) > 0.0)) {
     return add_panel(polygon);
   }
   double best = -10.0;
   Polygon first, second;
   for (int i = 0; i < n; ++i) {
-    for (int j = i + 2; j < std::min(n, n + i - 1); ++j) {
+    for (int j = i + 2; j < std::min(n, n + i - 1); ++j) {  // each diagonal once, no sides
       // A diagonal in the water's surface would leave a piece that lies in it, or above.
       if (label_[polygon[i]] == 0 && label_[polygon[j]] == 0) continue;
       const Polygon one(polygon.begin() + i, polygon.begin() + j + 1);

@@ -11,7 +11,8 @@
 namespace hull::production {
 namespace {
 
-// Twice the mean of both ways to cut a quadrilateral in triangles, by a function of three corners.
+// Twice the mean of both ways to cut a quadrilateral in triangles, by a function of three corners:
+// a warped panel is no plane, and neither of its diagonals is to be preferred.
 template <class Value, class Function>
 Value over_triangles(const std::array<Vector3d, 4>& q, const Function& of, Value sum) {
   const auto add = [&](int a, int b, int c) { sum += of(q[a], q[b], q[c]); };
@@ -59,7 +60,7 @@ void take_panels(const WaterCut& cut, PanelMesh& mesh) {
         number[corner] = static_cast<int>(mesh.points.size());
         mesh.points.push_back(mesh.axes * (cut.points()[corner] - mesh.origin));
         mesh.at_water.push_back(cut.in_water_plane(corner));
-        if (mesh.at_water.back()) mesh.points.back().z() = 0.0;
+        if (mesh.at_water.back()) mesh.points.back().z() = 0.0;  // the rotation has its rounding
       }
       panel[k] = number[corner];
     }
@@ -83,10 +84,13 @@ Vector3d PanelMesh::volumes() const {
     sum += over_triangles(
         corners_of(*this, panel),
         [](const Vector3d& a, const Vector3d& b, const Vector3d& c) -> Vector3d {
+          // Flux of (x, 0, 0) through the plane triangle: the mean of x at its corners times the
+          // vector area's x; y and z likewise.
           return (a + b + c).cwiseProduct((b - a).cross(c - a)) / 6.0;
         },
         Vector3d(Vector3d::Zero()));
   }
+  // The sum has each panel twice, and half a hull counts twice.
   return (half ? 1.0 : 0.5) * sum;
 }
 
@@ -110,6 +114,7 @@ PanelMesh wetted_panels(const analysis::HullBody& body, const analysis::Floating
   const analysis::Plane water = analysis::water_plane(position);
   PanelMesh mesh;
   mesh.displaced_volume = volume_alone(body, water);
+  // Without heel the water is symmetric about the centre plane, too.
   mesh.half = body.mirrored() && position.heel == 0.0;
   mesh.axes = water_axes(position);
   const Vector3d base(origin_x, 0.0, 0.0);

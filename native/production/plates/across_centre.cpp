@@ -23,6 +23,7 @@ std::vector<PlateSide> with_central_apart(const PlatedShell& shell,
     for (std::size_t i = 0; i + 1 < side.points.size(); ++i) {
       const int a = side.points[i], b = side.points[i + 1];
       const bool central = side.curve < 0 && is_on(a) && is_on(b);
+      // A stretch goes on within one side as long as its parts are of one kind.
       const bool goes_on = i > 0 && !sides.empty() &&
                            central == (is_on(sides.back().points.front()) &&
                                        is_on(sides.back().points[1]) && side.curve < 0);
@@ -47,6 +48,7 @@ std::pair<bool, double> bend_in_centre(const PlatedShell& shell, const Plate& pl
   for (const int t : plate.triangles) {
     const ShellTriangle& triangle = shell.mesh.triangles[t];
     const auto corner = [&](int k) { return shell.mesh.points[triangle.points[k]]; };
+    // Doubled areas: only the direction of the sum counts.
     sum += (corner(1) - corner(0)).cross(corner(2) - corner(0));
     for (int k = 0; k < 3; ++k) {
       const int next = (k + 1) % 3;
@@ -54,6 +56,8 @@ std::pair<bool, double> bend_in_centre(const PlatedShell& shell, const Plate& pl
         continue;
       const Eigen::Vector2d middle = 0.5 * (triangle.uv[k] + triangle.uv[next]);
       const Vector3d normal = shell.surface.normal(triangle.cell, middle.x(), middle.y());
+      // The image's normal is this one with -y: the angle between both is twice that whose sine is
+      // y.
       aside = std::max(aside, std::abs(normal.y()));
     }
   }
@@ -82,6 +86,7 @@ void join_across_centre(const PlatedShell& shell, double largest_knuckle, Plate&
   if (!faces_so) return;
   plate.centre_knuckle = bend;
   if (bend > largest_knuckle) return;
+  // The border from the centre plane back to the centre plane, then its image the other way.
   const auto middle = std::find_if(sides.begin(), sides.end(), is_middle);
   std::rotate(sides.begin(), middle + 1, sides.end());
   sides.pop_back();

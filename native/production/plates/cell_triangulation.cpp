@@ -61,6 +61,7 @@ bool CellTriangulation::can_flip(const Side& side) const {
 bool CellTriangulation::wants_flip(const Side& side) const {
   if (!can_flip(side)) return false;
   const Side other = twin(side);
+  // In metres: in (u, v) alone a long cell's triangles would be slender on the hull.
   const auto at = [this](int p) {
     return Vector2d(static_cast<double>(points_[p][0]) * lengths_.x(),
                     static_cast<double>(points_[p][1]) * lengths_.y());
@@ -188,7 +189,7 @@ int CellTriangulation::add(const Grid& at) {
 
 void CellTriangulation::mark(const Side& side, int tag) {
   int& own = triangles_[side.triangle].tag[side.edge];
-  if (own < 0) own = tag;
+  if (own < 0) own = tag;  // the first curve keeps it
   if (const Side other = twin(side); other.triangle >= 0) {
     triangles_[other.triangle].tag[other.edge] = own;
   }
@@ -211,7 +212,7 @@ int CellTriangulation::next_on_way(int a, int b, std::vector<std::array<int, 2>>
       for (const int end : {p, q}) {
         if (end == b || (turn(a, b, end) == 0 && ahead(end))) return end;
       }
-      if (turn(a, b, p) < 0 && turn(a, b, q) > 0) side = {t, (i + 1) % 3};
+      if (turn(a, b, p) < 0 && turn(a, b, q) > 0) side = {t, (i + 1) % 3};  // between p and q
     }
   }
   assert(side.triangle >= 0);
@@ -228,6 +229,7 @@ int CellTriangulation::next_on_way(int a, int b, std::vector<std::array<int, 2>>
     const int r = triangles_[beyond.triangle].v[(beyond.edge + 2) % 3];
     const std::int64_t side_of_r = turn(a, b, r);
     if (r == b || side_of_r == 0) return r;
+    // Out of the next triangle by the side whose ends are on both sides of the way.
     side = {beyond.triangle, (beyond.edge + (side_of_r > 0 ? 1 : 2)) % 3};
   }
 }
@@ -239,6 +241,7 @@ void CellTriangulation::clear_way(int a, int b, std::vector<std::array<int, 2>> 
     if (k > most) throw std::logic_error("an edge of a cell can't be made");
     const auto [p, q] = crossed[k];
     const Side side = find(p, q);
+    // Where the two triangles are no convex quadrilateral the edge comes again after the others.
     if (!can_flip(side)) {
       crossed.push_back({p, q});
       continue;
@@ -259,7 +262,7 @@ void CellTriangulation::constrain(int a, int b, int tag) {
     const int next = next_on_way(a, b, crossed, detour);
     if (detour >= 0) {
       constrain(a, detour, tag);
-      a = detour;
+      a = detour;  // and on from there
       continue;
     }
     clear_way(a, next, std::move(crossed));

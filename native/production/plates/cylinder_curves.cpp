@@ -32,6 +32,7 @@ class GraphInPart {
               const BezierPatch& seen, const PatchPart& part, bool swapped)
       : piece_(piece), frame_(frame), seen_(seen), part_(part), swapped_(swapped) {}
 
+  // Positive outside the cylinder, in square metres.
   double value(double t, double w) const {
     surface::SurfaceJet jet;
     const Vector2d at = local(t, w);
@@ -54,11 +55,13 @@ class GraphInPart {
     const Vector3d& aside = swapped_ ? jet.du : jet.dv;
     const Eigen::Vector2d out = jet.point.head<2>();
     const double slope = out.dot(aside.head<2>());
+    // Implicit differentiation: along the curve the distance from the axis does not change.
     const double turn = slope != 0.0 ? -out.dot(along.head<2>()) / slope : 0.0;
     ArcSample sample;
     sample.d1 = frame_.unseen(along + turn * aside);
     sample.p.tangent = sample.d1.normalized();
     sample.p.cell = piece_.cell;
+    // From the part to the piece, from the piece to the cell.
     sample.p.uv = {piece_.u + piece_.size * (part_.u + part_.du * own.x()),
                    piece_.v + piece_.size * (part_.v + part_.dv * own.y())};
     sample.p.point = frame_.origin() + frame_.unseen(jet.point);
@@ -90,6 +93,7 @@ class CylinderCutter {
     const auto descend = [&](const surface::CornerSquare& square) { return wants(square); };
     const auto take = [&](const surface::SurfacePiece& piece) { add_piece(piece); };
     for (int cell = 0; cell < surface_.cell_count(); ++cell) {
+      // Seen along the axis the cell is within a box, and the cylinder a circle.
       Eigen::AlignedBox2d box;
       for (int k = 0; k < 2; ++k) {
         const Vector3d across = frame_.across(k);
@@ -115,6 +119,7 @@ class CylinderCutter {
     if (!may_cut(box)) return false;
     const double extent = square.extent();
     if (extent > kSmallestCorner * size_) return true;
+    // A square at an irregular corner as small as that is a spot, where the curve's arcs end.
     const auto outside = [this](const Vector3d& p) {
       return frame_.seen(p).head<2>().norm() - frame_.radius();
     };
@@ -128,8 +133,12 @@ class CylinderCutter {
   }
 
   void divide(const surface::SurfacePiece& piece, const BezierPatch& seen, const PatchPart& part) {
+    // A height h off the cylinder makes 2 r h in the squares of the distance.
     const CylinderField field(seen, frame_.radius(), 2.0 * frame_.radius() * kZeroHeight * size_);
+    // Zero is inside, as sign_changes() has it, so that parts beside one another agree.
     if (field.lowest() > 0.0 || field.highest() <= 0.0) return;
+    // Where the field rises strictly along an axis there is one point of the curve at most for each
+    // value of the other one: a graph.
     for (const int axis : {1, 0}) {
       const auto [low, high] = field.slopes(axis);
       // At a grazing angle the place along the axis would not be certain.
@@ -139,6 +148,7 @@ class CylinderCutter {
       }
     }
     if (--left_ < 0 || seen.box().diagonal().norm() < kTouchingCylinder * size_) refuse(seen);
+    // Across the longer side, so that parts stay about square.
     const int axis = part.du >= part.dv ? 0 : 1;
     BezierPatch low, high;
     seen.split(axis, low, high);
@@ -152,6 +162,8 @@ class CylinderCutter {
       double t;
       int end;  // of the axis' parameter there, or -1
     };
+    // The curve comes and goes where it passes a side across the graph: between two such places it
+    // is there all along, or nowhere.
     std::vector<Break> breaks{{0.0, -1}};
     for (const int end : {0, 1}) {
       const auto side = field.side(axis, end);
@@ -170,6 +182,7 @@ class CylinderCutter {
       if ((graph.value(middle, 0.0) > 0.0) == (graph.value(middle, 1.0) > 0.0)) continue;
       const int first = static_cast<int>(parts_.points.size());
       analysis::sample_arc(graph, a.t, sample(a), b.t, sample(b), chord_tolerance_, parts_.points);
+      // The outside is to be left of the curve: v rises to the left of u, u to the right of v.
       if (rises == (axis == 0)) analysis::reverse_points(parts_.points, first);
       parts_.arcs.push_back(
           {first, static_cast<int>(parts_.points.size()), SectionArc::Sense::kDirected});

@@ -33,6 +33,8 @@ std::array<double, 2> CylinderFrame::distances(const Eigen::AlignedBox2d& box) c
 CylinderField::CylinderField(const surface::BezierPatch& seen, double radius, double zero) {
   double weighted[2][16];
   for (int k = 0; k < 2; ++k) {
+    // With their binomials Bernstein coefficients multiply as those of powers do; the product's own
+    // binomials are taken out below.
     for (int n = 0; n < 16; ++n) {
       weighted[k][n] = kCubicBinomial[n % 4] * kCubicBinomial[n / 4] * seen.x[k][n];
     }
@@ -53,6 +55,7 @@ double CylinderField::lowest() const { return *std::min_element(c_.begin(), c_.e
 double CylinderField::highest() const { return *std::max_element(c_.begin(), c_.end()); }
 
 std::array<double, 2> CylinderField::slopes(int axis) const {
+  // The differences are the derivative's coefficients but for the degree as a factor.
   const int step = axis == 0 ? 1 : kOrder;
   std::array<double, 2> range{c_[step] - c_[0], c_[step] - c_[0]};
   for (int n = 0; n + step < kOrder * kOrder; ++n) {

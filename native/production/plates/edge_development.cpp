@@ -32,6 +32,7 @@ struct Collocation {
         p1 = p2;
       }
     }
+    // Values at the nodes become coefficients of Legendre's polynomials, whose integrals are known.
     up_to = integrals * powers.inverse();
   }
 };
@@ -73,6 +74,8 @@ PlaneFrame rolled(const surface::LimitSurface& surface, const CurveStep& step,
     const Vector3d dv = jet.duv * way.x() + jet.dvv * way.y();
     // But for a part along n, which is of no account below.
     const Vector3d turning = (du.cross(jet.dv) + jet.du.cross(dv)) / across.norm();
+    // e1 is a - (a n) n, normed, of the start's one tangent a: e1' e2 is -(a n) n' e2 over its
+    // length. No frame goes on from node to node.
     const double off = start.along.dot(n);
     const Vector3d flat = start.along - off * n;
     e1[i] = flat.normalized();
@@ -80,6 +83,7 @@ PlaneFrame rolled(const surface::LimitSurface& surface, const CurveStep& step,
     turn[i] = -off * turning.dot(e2[i]) / flat.norm();
     speed[i] = jet.du * way.x() + jet.dv * way.y();
   }
+  // At the nodes, from the start's angle; the rate does not depend on them.
   const Eigen::Matrix<double, kNodes, 1> angles = c.up_to * turn;
   PlaneFrame end{tangent_along(start.along, normal_at(surface, step.cell, step.to)), start.angle,
                  start.at};

@@ -58,6 +58,7 @@ EdgePoints::EdgePoints(const surface::LimitSurface& surface, ShellMesh& mesh)
 }
 
 EdgePlace EdgePoints::on_side(int cell, int side, const CellTriangulation::Grid& at) const {
+  // By side, in the direction of its half-edge.
   const std::int64_t t[] = {at[0], at[1], kParts - at[0], kParts - at[1]};
   const bool on[] = {at[1] == 0, at[0] == kParts, at[1] == kParts, at[0] == 0};
   if (!on[side]) return {};
@@ -83,6 +84,7 @@ EdgePlace EdgePoints::merged(EdgePlace place) const {
   if (near(0)) return {place.edge, 0};
   if (near(kParts)) return {place.edge, kParts};
   const auto& taken = on_edge_[place.edge];
+  // Places are further apart than kSame: the first one is the only one.
   const auto after = taken.lower_bound(place.at - kSame);
   if (after != taken.end() && near(after->first)) place.at = after->first;
   return place;
@@ -90,6 +92,7 @@ EdgePlace EdgePoints::merged(EdgePlace place) const {
 
 Vector2d EdgePoints::put_on_sides(int cell, Vector2d uv) {
   for (int side = 0; side < 4; ++side) {
+    // A corner is on two sides: the second sees what the first made of it.
     EdgePlace place = on_side(cell, side, on_grid(uv));
     if (place.edge < 0) continue;
     place = merged(place);
@@ -101,10 +104,12 @@ Vector2d EdgePoints::put_on_sides(int cell, Vector2d uv) {
 }
 
 void EdgePoints::divide(int edge, int parts, double clear) {
+  // A point of a curve stands for one of the division that would be next to it.
   const auto room = static_cast<std::int64_t>(clear * static_cast<double>(kParts) / parts);
   std::vector<std::int64_t> taken;
   for (const auto& [at, number] : on_edge_[edge]) taken.push_back(at);
   for (int i = 1; i < parts; ++i) {
+    // In whole numbers: the last part has what the division leaves.
     const std::int64_t at = kParts / parts * i;
     const bool free = std::none_of(taken.begin(), taken.end(),
                                    [&](std::int64_t other) { return std::abs(at - other) < room; });

@@ -40,6 +40,7 @@ std::optional<Inside> inside(const FlatPlate& flat, int element, const CurveStep
   for (int k = 0; k < 3; ++k) {
     const double from = a[k] + kInTriangle, to = b[k] + kInTriangle;
     if (from < 0.0 && to < 0.0) return std::nullopt;
+    // Linear along the step, and so zero where this enters or leaves.
     const double crossing = from / (from - to);
     if (from < 0.0) part.begin = std::max(part.begin, crossing);
     if (to < 0.0) part.end = std::min(part.end, crossing);
@@ -57,11 +58,14 @@ std::vector<Inside> parts_inside(const FlatPlate& flat, const CurveStep& step) {
   for (const int element : found->second) {
     if (const auto part = inside(flat, element, step)) parts.push_back(*part);
   }
+  // Elements come in the mesh's order, not in that of the step.
   std::sort(parts.begin(), parts.end(),
             [](const Inside& a, const Inside& b) { return a.begin < b.begin; });
   std::vector<Inside> kept;
   double reached = 0.0;
   for (Inside part : parts) {
+    // Neighbours overlap by the tolerance, and along a common side wholly: what was reached is not
+    // taken twice.
     part.begin = std::max(part.begin, kept.empty() ? part.begin : reached);
     if (part.end - part.begin <= 1e-9) continue;
     reached = part.end;
@@ -77,6 +81,7 @@ void append(const FlatPlate& flat, const CurveStep& step, const Inside& part, do
   const PlateMesh::Element& element = flat.mesh.elements[part.element];
   const Vector2d begin = at(part.begin), end = at(part.end);
   const Vector2d from = laid(flat, element, begin);
+  // A gap that is no rounding begins another mark: the curve was off the plate.
   if (marks.empty() || (marks.back().points.back() - from).norm() > near) {
     marks.push_back({{from}, {surface.position(step.cell, begin.x(), begin.y())}});
   }
@@ -100,6 +105,7 @@ std::vector<FlatMark> with_mirror_images(const FlatPlate& flat,
       all.push_back(std::move(mark));
       continue;
     }
+    // So that the mirror image goes on where the mark ends.
     if (begins) turn_round(mark);
     FlatMark other = mark;
     for (Vector2d& p : other.points) p = flat.axis->mirrored(p);
@@ -126,6 +132,7 @@ std::vector<std::vector<std::vector<Vector2d>>> flat_sides(const FlatPlate& flat
     auto& sides = loops.emplace_back();
     for (const PlateSide& side : loop) {
       auto& points = sides.emplace_back();
+      // Nodes of the mirror image follow all of the mesh's own.
       const int before = side.mirrored ? flat.mesh.node_count : 0;
       for (std::size_t i = 0; i < side.points.size(); ++i) {
         if (i > 0) {
@@ -143,6 +150,7 @@ std::vector<FlatMark> flat_marks(const FlatPlate& flat, const SurfaceCurve& curv
   const double near = 1e-6 * std::sqrt(std::abs(flat.area));
   std::vector<FlatMark> marks;
   for (const CurveStep& step : curve.steps) {
+    // A step along a side is in two cells: the first of which the plate has a part counts.
     for (const CurveStep& seen : in_all_cells(flat.mesh.shell->surface.cells(), step)) {
       const std::vector<Inside> parts = parts_inside(flat, seen);
       for (const Inside& part : parts) append(flat, seen, part, near, marks);

@@ -28,6 +28,8 @@ void straighten(FlatPlate& flat) {
     for (const Vector2d& p : flat.nodes) box.extend(turn * p);
     return box;
   };
+  // There may be several minima: tries over a right angle, after which boxes repeat, then halved
+  // steps from the best.
   const auto area = [&](double angle) { return extent(angle).sizes().prod(); };
   double best = 0.0;
   constexpr int kTries = 90;
@@ -57,6 +59,7 @@ void straighten(FlatPlate& flat) {
 Eigen::Matrix2d turn_at(const FlatPlate& flat, const PlateMesh::Element& element,
                         const PlatePoint& point) {
   if (flat.map) {
+    // The rotation of the polar decomposition: what only stretches does not turn.
     const auto svd = flat.map->slopes(point).jacobiSvd(Eigen::ComputeFullU | Eigen::ComputeFullV);
     return flat.turn * (svd.matrixU() * svd.matrixV().transpose());
   }
@@ -83,15 +86,18 @@ void measure_bending(FlatPlate& flat) {
   }
   if (flat.axis) {
     const Vector2d& a = flat.axis->along;
+    // The other half's sum is the mirror image of this one's.
     const Eigen::Matrix2d mirror = 2.0 * a * a.transpose() - Eigen::Matrix2d::Identity();
     sum += (mirror * sum * mirror).eval();
     area *= 2.0;
   }
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(sum / area);
+  // Bends to either side count alike; rolls lie along the lesser one.
   const Vector2d values = solver.eigenvalues().cwiseAbs();
   const int most = values[0] > values[1] ? 0 : 1;
   const Vector2d axis = solver.eigenvectors().col(1 - most);
   const double size = std::sqrt(area);
+  // A radius of 1e9 of the plate's size is a plane's.
   const bool is_plane = values[most] * size < 1e-9;
   flat.rolling_radius = is_plane ? std::numeric_limits<double>::infinity() : 1.0 / values[most];
   flat.rolling_angle = is_plane ? 0.0 : std::atan(axis.y() / axis.x());
@@ -105,6 +111,7 @@ FlatAxis axis_of(const FlatPlate& flat, double& off) {
     if (is_central(flat.mesh.shell->surface, p)) central.push_back(flat.nodes[i]);
   }
   const Vector2d first = central.front();
+  // Over the longest distance rounding turns the line the least.
   const Vector2d last = *std::max_element(
       central.begin(), central.end(), [&first](const Vector2d& a, const Vector2d& b) {
         return (a - first).squaredNorm() < (b - first).squaredNorm();
@@ -123,6 +130,8 @@ bool develop(FlatPlate& flat, const Plate& plate) {
   if (plate.across) {
     double off = 0.0;
     flat.axis = axis_of(flat, off);
+    // Developable, but its middle line would be bent in the plane: the halves would not meet along
+    // it.
     if (off > most) return false;
   }
   flat.expansion = Expansion::kDeveloped;
@@ -146,6 +155,7 @@ FlatPlate flat_plate(const Plating& plating, const Plate& plate, double poisson)
     flat.axis.reset();
     stretch(flat, plate, poisson);
     double off = 0.0;
+    // The least energy of a symmetric plate is symmetric: the line is straight to rounding.
     if (plate.across) flat.axis = axis_of(flat, off);
   }
   if (flat.axis) {

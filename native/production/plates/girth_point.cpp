@@ -29,6 +29,7 @@ double cubic_length(const Vector3d& a, const Vector3d& ta, const Vector3d& b, co
 
 // The speed is that of the arc length itself.
 double arc_length(const Vector3d& a, const Vector3d& ta, const Vector3d& b, const Vector3d& tb) {
+  // The length hardly depends on the speed as long as tangents are near the chord.
   double length = (b - a).norm();
   for (int i = 0; i < 4; ++i) length = cubic_length(a, ta, b, tb, length);
   return length;
@@ -82,14 +83,18 @@ CellPlace Walk::along(const CellPlace& a, const CellPlace& b, double length) con
   const double whole = (q - p).norm();
   double wanted = std::min(length, whole);
   Vector2d uv = from + wanted / whole * (to - from);
+  // A little within the step, as the surface may have no normal at its end.
   const Vector3d t_a = tangent_at(a.cell, from + 1e-9 * (to - from), chord);
   for (int i = 0; i < 30; ++i) {
     const auto jet = surface_.evaluate(a.cell, uv.x(), uv.y(), 1);
     Eigen::Matrix2d m;
+    // The chord's direction stands for the arc's: not quite Newton's matrix, but what it ends at is
+    // exact.
     m << normal_.dot(jet.du), normal_.dot(jet.dv), chord.dot(jet.du), chord.dot(jet.dv);
     const double gone = arc_length(p, t_a, jet.point, tangent_at(a.cell, uv, chord));
     const Vector2d off(normal_.dot(jet.point - p), gone - length);
     const Vector2d step = m.fullPivLu().solve(off);
+    // A step may lead out of the cell, though the end is within it.
     uv = (uv - step).cwiseMax(0.0).cwiseMin(1.0);
     if (step.norm() <= 1e-14) break;
   }
@@ -115,6 +120,7 @@ std::optional<CellPlace> girth_point(const surface::LimitSurface& surface, const
   const Vector3d p = surface.position(base.cell, base.u, base.v);
   const auto curves = analysis::section(surface, {normal, normal.dot(p)}, chord_tolerance);
   const Start start = nearest_chord(curves, p);
+  // The base is on the section, not on its chords.
   if (!start.curve || start.distance > 10.0 * chord_tolerance) return std::nullopt;
   const auto& curve = *start.curve;
   const Walk walk(surface, normal);
@@ -135,6 +141,7 @@ std::optional<CellPlace> girth_point(const surface::LimitSurface& surface, const
   CellPlace at = base;
   Vector3d from = p;
   double left = girth;
+  // Once around a closed section at most.
   for (int passed = 0; passed <= count; ++passed) {
     const Vector3d to = curve.points[next];
     if ((to - from).norm() > near) {
@@ -152,6 +159,7 @@ std::optional<CellPlace> girth_point(const surface::LimitSurface& surface, const
     from = to;
     if (next + step < 0 || next + step >= count) {
       if (!curve.closed) return std::nullopt;
+      // A closed section has its first point again at the end, which is passed over.
       next = step > 0 ? 0 : count - 1;
     }
     next += step;

@@ -39,6 +39,8 @@ class Sampler {
  private:
   Vector3d point(const CellPlace& p) const { return surface_.position(p.cell, p.u, p.v); }
 
+  // Halved until the middle lies on the chord; where the rule has no middle the chord is all there
+  // is.
   void between(double a, const CellPlace& at_a, double b, const CellPlace& at_b, int depth) {
     const double m = 0.5 * (a + b);
     const Place middle = depth < kDeepestSample ? rule_(m) : std::nullopt;
@@ -59,7 +61,7 @@ class Sampler {
   std::pair<double, CellPlace> last_place(double a, CellPlace place, double b) const {
     for (int i = 0; i < 60 && a != b; ++i) {
       const double m = 0.5 * (a + b);
-      if (m == a || m == b) break;
+      if (m == a || m == b) break;  // no number between them
       if (const Place there = rule_(m)) {
         a = m;
         place = *there;
@@ -77,6 +79,7 @@ class Sampler {
 
   void begin(double b, const CellPlace& at_b, double a) {
     const auto [m, place] = last_place(b, at_b, a);
+    // Sought backwards from where the rule has places: there the run begins.
     runs_.push_back({place});
     between(m, place, b, at_b, 0);
   }
@@ -97,6 +100,7 @@ Vector3d unit(const Vector3d& v, const char* name) {
 // Whether the surface lies in the planes of a normal there, as a transom does: no section tells a
 // way along it.
 bool is_across(const surface::LimitSurface& surface, const CellPlace& at, const Vector3d& normal) {
+  // Of second order in the angle: 1.4e-6 rad.
   constexpr double kWithinRounding = 1e-12;  // of the cosine
   return std::abs(surface.normal(at.cell, at.u, at.v).dot(normal)) > 1.0 - kWithinRounding;
 }
@@ -170,6 +174,8 @@ std::vector<SurfaceCurve> HullCurves::at_girth(const SurfaceCurve& base, double 
   require_on(surface, base);
   std::vector<double> parameters;
   double run = 0.0;
+  // How far the base goes across the planes: within one of them all of it would have the same
+  // section.
   for (std::size_t k = 0; k < base.points.size(); ++k) {
     parameters.push_back(static_cast<double>(k));
     if (k > 0) run += std::abs(normal.dot(base.points[k] - base.points[k - 1]));
@@ -180,6 +186,7 @@ std::vector<SurfaceCurve> HullCurves::at_girth(const SurfaceCurve& base, double 
                                 "\" is measured: give another direction across them.");
   }
   const Rule rule = [&](double t) -> Place {
+    // The last parameter is the end of the last step.
     const auto k = std::min(static_cast<std::size_t>(t), base.steps.size() - 1);
     const CurveStep& step = base.steps[k];
     const Eigen::Vector2d uv = step.from + (t - static_cast<double>(k)) * (step.to - step.from);
@@ -246,6 +253,7 @@ std::vector<SurfaceCurve> HullCurves::projected_from(const std::vector<Vector3d>
 
 SurfaceCurve HullCurves::along(const surface::CreaseCurve& crease, const std::string& name) const {
   std::vector<CellPlace> places;
+  // Cells begin at the ends and at the middles of control edges.
   for (int i = 0; i <= 2 * crease.edge_count(); ++i) places.push_back(crease.left(0.5 * i));
   return joined(surface(), tree_, places, name);
 }
@@ -267,6 +275,7 @@ std::vector<SurfaceCurve> HullCurves::knuckles(double least_angle) const {
     if (crease.kind() == surface::CreaseKind::kBorder) continue;
     double largest = 0.0;
     for (int i = 0; i < 4 * crease.edge_count(); ++i) {
+      // Off the edges' ends, where there may be no normal.
       const double angle = surface::knuckle_angle(surface(), crease, 0.25 * i + 0.125);
       if (std::isfinite(angle)) largest = std::max(largest, std::abs(angle));
     }

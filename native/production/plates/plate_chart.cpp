@@ -25,15 +25,19 @@ PlateChart::Value PlateChart::value(const Vector3d& point) const {
   v.at = {x, y};
   v.slopes << along_.transpose(), across_.transpose();
   if (kind_ == Kind::kPlane) return v;
+  // A negative distance: the axis or centre is outside, for plates that are hollow.
   const double z = distance_ + q.dot(normal_), sign = std::copysign(1.0, distance_);
   if (kind_ == Kind::kAxis) {
     v.at.y() = distance_ * std::atan2(sign * y, sign * z);
+    // The angle's gradient, times the distance, by which both directions have the same scale at the
+    // origin.
     v.slopes.row(1) =
         distance_ / (y * y + z * z) * (z * across_.transpose() - y * normal_.transpose());
     return v;
   }
   // Stereographic: 2 d (x, y) / (r + z), r the distance from the centre.
   const Vector3d ray = q + distance_ * normal_;
+  // Its gradient: -scale / (r + z) (grad r + n), grad r = ray / r.
   const double r = sign * ray.norm(), scale = 2.0 * distance_ / (r + z);
   const Vector3d of_scale = -scale / (r + z) * (ray / r + normal_);
   v.at *= scale;
@@ -54,6 +58,7 @@ double PlateChart::quality(const std::vector<PlatePoint>& points) const {
     least = std::min(least, values[1]);
     largest = std::max(largest, values[0]);
   }
+  // A ratio: the chart's own scale does not matter.
   return least / largest;
 }
 
@@ -68,6 +73,7 @@ std::optional<PlateChart> PlateChart::best(const std::vector<PlatePoint>& points
   }
   PlateChart chart;
   chart.origin_ = centre / area;
+  // Normals that cancel out leave the direction open.
   chart.normal_ = normal.norm() > 0.0 ? Vector3d(normal.normalized()) : Vector3d::UnitZ();
   if (is_mirrored) {
     chart.origin_.y() = chart.normal_.y() = 0.0;
@@ -90,6 +96,7 @@ std::optional<PlateChart> PlateChart::best(const std::vector<PlatePoint>& points
     found = chart;
   };
   if (reached < kGood) {
+    // A chart that is its own image has its axis along or across the centre plane only.
     const int directions = is_mirrored ? 2 : kDirections;
     for (const double distance : kDistances) {
       for (const double sign : {1.0, -1.0}) {

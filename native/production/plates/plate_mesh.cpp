@@ -21,6 +21,7 @@ struct PlateRule {
     const double wa = 0.5 * 0.223381589678011, wb = 0.5 * 0.109951743655322;
     for (int k = 0; k < 3; ++k) {
       at[k] = Eigen::Vector3d::Constant(a);
+      // Three points near the middles of sides, then three near corners.
       at[k][k] = 1.0 - 2.0 * a;
       at[3 + k] = Eigen::Vector3d::Constant(b);
       at[3 + k][k] = 1.0 - 2.0 * b;
@@ -50,6 +51,7 @@ std::vector<Eigen::Matrix3d> parts_of_triangle(int k) {
   };
   for (int i = 0; i < k; ++i) {
     for (int j = 0; i + j < k; ++j) {
+      // One that stands, and one on its head beside it, but at the row's end.
       Eigen::Matrix3d part;
       part << at(i, j), at(i + 1, j), at(i, j + 1);
       parts.push_back(part);
@@ -73,6 +75,7 @@ double turning(const PlateMesh& mesh, const std::vector<PlateSide>& loop) {
     for (int k = 0; k < 3; ++k) {
       const auto found = normals.find(t.points[k]);
       if (found == normals.end()) continue;
+      // Of several sectors' normals at a point any will do: only the sense of turning is asked.
       found->second = mesh.shell->surface.normal(t.cell, t.uv[k].x(), t.uv[k].y());
     }
   }
@@ -117,6 +120,7 @@ PlateMesh plate_mesh(const Plating& plating, const Plate& plate) {
       element.nodes[k] = found->second;
     }
   }
+  // Middles are numbered after all corners: so a side's number is its middle's less their count.
   mesh.node_count = static_cast<int>(mesh.corners.size());
   for (std::size_t i = 0; i < mesh.elements.size(); ++i) {
     PlateMesh::Element& element = mesh.elements[i];
@@ -143,9 +147,11 @@ Eigen::Vector3d barycentric(const ShellTriangle& t, const Vector2d& uv) {
 std::optional<PlatePoint> plate_point(const surface::LimitSurface& surface, const ShellTriangle& t,
                                       const Eigen::Vector3d& b, bool bending) {
   const Vector2d uv = b[0] * t.uv[0] + b[1] * t.uv[1] + b[2] * t.uv[2];
+  // The sum may be off the cell by rounding.
   const auto jet = surface.evaluate(t.cell, std::clamp(uv.x(), 0.0, 1.0),
                                     std::clamp(uv.y(), 0.0, 1.0), bending ? 2 : 1);
   const Vector3d normal = jet.du.cross(jet.dv);
+  // Beside the lengths of both: where they are parallel, or one is gone, there is no tangent plane.
   if (!(normal.norm() > 1e-12 * (jet.du.squaredNorm() + jet.dv.squaredNorm()))) {
     return std::nullopt;
   }
@@ -160,8 +166,10 @@ std::optional<PlatePoint> plate_point(const surface::LimitSurface& surface, cons
   if (!bending) return point;
   Eigen::Matrix2d lengths, second;  // of (u, v), in the tangents
   lengths << jet.du.dot(e1), jet.dv.dot(e1), jet.du.dot(e2), jet.dv.dot(e2);
+  // The normal points into the water, from which a surface that bulges bends away.
   second << -jet.duu.dot(n), -jet.duv.dot(n), -jet.duv.dot(n), -jet.dvv.dot(n);
   const Eigen::Matrix2d to_uv = lengths.inverse();
+  // Pulled back from (u, v) to the two unit tangents.
   point.bending = to_uv.transpose() * second * to_uv;
   return point;
 }

@@ -25,6 +25,7 @@ std::vector<Way> ways_of(const PlateMesh& mesh) {
     const ShellTriangle& t = mesh.triangle(element);
     for (int k = 0; k < 3; ++k) {
       const int next = (k + 1) % 3;
+      // Middles are numbered after the corners, by sides.
       Way& way = ways[element.nodes[3 + k] - first];
       if (way.from >= 0) continue;
       way = {element.nodes[k],
@@ -55,6 +56,7 @@ int corner_near(const PlateMesh& mesh, const Vector3d& middle) {
 }
 
 double angle_between(const PlaneFrame& a, const PlaneFrame& b, const Vector3d& normal) {
+  // How far b's tangent is turned from a's on the surface, and so should be on the plane.
   const double seen = std::atan2(normal.dot(a.along.cross(b.along)), a.along.dot(b.along));
   return std::remainder(b.angle - a.angle - seen, 2.0 * M_PI);
 }
@@ -74,10 +76,12 @@ RolledPlate rolled_plate(const PlateMesh& mesh, const Vector3d& middle) {
   plate.nodes.resize(mesh.node_count, Vector2d::Zero());
   std::vector<char> reached(mesh.corners.size(), 0);
   std::vector<char> used(ways.size(), 0);
+  // From the middle the ways are the shortest, and so is what adds up along them.
   const int root = corner_near(mesh, middle);
   const Way& first = ways[at[root].front()];
   plate.frames[root] = first_frame(surface, first.from == root ? first.step : reversed(first.step));
   reached[root] = 1;
+  // Breadth first: few sides lead to each corner, and always the same ones.
   std::queue<int> open({root});
   while (!open.empty()) {
     const int corner = open.front();
@@ -97,6 +101,7 @@ RolledPlate rolled_plate(const PlateMesh& mesh, const Vector3d& middle) {
         open.push(end);
         continue;
       }
+      // By a second way: only on a developable surface both end alike.
       const Vector3d normal = surface.normal(step.cell, step.to.x(), step.to.y());
       plate.gap = std::max(plate.gap, (there.at - plate.frames[end].at).norm());
       plate.turn = std::max(plate.turn, std::abs(angle_between(there, plate.frames[end], normal)));

@@ -21,6 +21,7 @@ struct Cut {
 bool is_on(const SeamPart& part, const Vector2d& p, double& t) {
   const Vector2d along = part.to - part.from;
   t = (p - part.from).dot(along) / along.squaredNorm();
+  // Ends of the piece are no cuts of it.
   const double length = along.norm();
   return t * length > kOnPart && (1.0 - t) * length > kOnPart &&
          (part.from + t * along - p).norm() <= kOnPart;
@@ -65,6 +66,7 @@ std::vector<SeamPart> noded(const std::vector<SeamPart>& given) {
   for (std::size_t i = 0; i < parts.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
       const SeamPart &a = parts[i], &b = parts[j];
+      // Most pairs are apart in u alone.
       if (std::max(a.from.x(), a.to.x()) < std::min(b.from.x(), b.to.x()) - kOnPart ||
           std::max(b.from.x(), b.to.x()) < std::min(a.from.x(), a.to.x()) - kOnPart) {
         continue;
@@ -74,14 +76,17 @@ std::vector<SeamPart> noded(const std::vector<SeamPart>& given) {
       add_end(i, b.to);
       add_end(j, a.from);
       add_end(j, a.to);
+      // An end of one on the other is the cut that they have: straight pieces have no second one.
       if (cuts[i].size() + cuts[j].size() > before) continue;
       const Vector2d along = a.to - a.from, other = b.to - b.from;
       const double turn = cross(along, other);
+      // Parallel: where they lie on one another their ends were found to.
       if (std::abs(turn) <= 1e-14 * along.norm() * other.norm()) continue;
       const double t = cross(b.from - a.from, other) / turn;
       const double s = cross(b.from - a.from, along) / turn;
       if (t <= 0.0 || t >= 1.0 || s <= 0.0 || s >= 1.0) continue;
       const Vector2d at = a.from + t * along;
+      // So near to an end it is that end, which is common already.
       const auto near = [&](const Vector2d& p) { return (p - at).norm() <= kOnPart; };
       if (near(a.from) || near(a.to) || near(b.from) || near(b.to)) continue;
       cuts[i].push_back({t, at});
@@ -93,6 +98,7 @@ std::vector<SeamPart> noded(const std::vector<SeamPart>& given) {
     std::sort(cuts[i].begin(), cuts[i].end(), [](const Cut& a, const Cut& b) { return a.t < b.t; });
     Vector2d last = parts[i].from;
     for (const Cut& cut : cuts[i]) {
+      // Two other pieces may cut this one at the same point.
       if ((cut.at - last).norm() <= kOnPart) continue;
       result.push_back({last, cut.at, parts[i].curve});
       last = cut.at;

@@ -18,6 +18,7 @@ struct CubicValues {
   std::array<double, 4> value, slope;
 };
 
+// The four uniform cubic B-splines that are not zero in an interval.
 CubicValues cubic_values(double t) {
   const double s = 1.0 - t;
   return {{s * s * s / 6.0, (3.0 * t * t * t - 6.0 * t * t + 4.0) / 6.0,
@@ -29,16 +30,19 @@ CubicValues cubic_values(double t) {
 
 SheetSplines::SheetSplines(const Eigen::AlignedBox2d& box, int across) {
   const Vector2d sizes = box.sizes();
+  // Slender plates: the longer side decides, as cells over it would be too many.
   const double cell = std::max(sizes.minCoeff() / across, sizes.maxCoeff() / kMostCells);
   for (int k = 0; k < 2; ++k) {
     cells_[k] = std::max(2, static_cast<int>(std::ceil(sizes[k] / cell)));
     step_[k] = sizes[k] / cells_[k];
   }
   origin_ = box.min();
+  // Three functions more than cells along either side.
   numbers_.assign((cells_.x() + 3) * (cells_.y() + 3), -1);
 }
 
 SheetSplines SheetSplines::halved() const {
+  // Over the same box: so each function of this grid is a sum of the finer one's.
   SheetSplines finer;
   finer.origin_ = origin_;
   finer.step_ = 0.5 * step_;
@@ -51,6 +55,7 @@ SheetSplines::Where SheetSplines::where(const Vector2d& point) const {
   Where w;
   for (int k = 0; k < 2; ++k) {
     const double at = (point[k] - origin_[k]) / step_[k];
+    // Beyond the box, too, the polynomials of the last cell go on.
     w.cell[k] = std::clamp(static_cast<int>(std::floor(at)), 0, cells_[k] - 1);
     w.within[k] = at - w.cell[k];
   }
@@ -69,6 +74,7 @@ void SheetSplines::use(const Vector2d& point) {
       for (int i = 0; i < 4; ++i) {
         int& number = numbers_[index(cell.x() + i, cell.y() + j)];
         if (number >= 0) continue;
+        // In the order of use: a function at no point is no unknown.
         number = count();
         used_.emplace_back(cell.x() + i, cell.y() + j);
       }
@@ -95,6 +101,7 @@ SheetSplines::Values SheetSplines::at(const Vector2d& point) const {
 std::vector<Vector2d> SheetSplines::identity() const {
   std::vector<Vector2d> coefficients;
   for (const Vector2i& f : used_) {
+    // A function's middle: so B-splines have linear functions (Greville's abscissas).
     coefficients.push_back(origin_ + (f.cast<double>() - Vector2d::Ones()).cwiseProduct(step_));
   }
   return coefficients;

@@ -17,8 +17,7 @@ using Grid = CellTriangulation::Grid;
 namespace {
 
 constexpr int kMostParts = 64;
-// Along a triangle's side the surface turns by about so much, rad: what quadratic elements follow
-// to some parts per thousand of their length.
+// Along a triangle's side the surface turns by about so much, rad.
 constexpr double kTurn = 0.07;
 // Points of the mesh's own keep this part of a triangle's side away from curves.
 constexpr double kClear = 0.35;
@@ -32,6 +31,8 @@ class Builder {
         edges_(surface, mesh_),
         seams_(surface.cell_count()) {}
 
+  // The order matters: all points of curves on cells' sides are known before sides are divided, and
+  // all points of sides before a cell is cut, so that neighbours share them.
   ShellMesh build(const std::vector<SurfaceCurve>& curves, const surface::Progress& progress) && {
     for (int k = 0; k < static_cast<int>(curves.size()); ++k) {
       for (const CurveStep& step : curves[k].steps) add_step(step, k);
@@ -57,6 +58,7 @@ class Builder {
   };
 
   int parts_of(double length, double turn) const {
+    // By length and by turn: what bends is cut finer.
     const double parts = std::ceil(std::max(length / size_, turn / kTurn));
     return static_cast<int>(std::clamp(parts, 1.0, 1.0 * kMostParts));
   }
@@ -84,6 +86,7 @@ class Builder {
 void Builder::add_step(const CurveStep& step, int curve) {
   const Vector2d from = edges_.put_on_sides(step.cell, step.from);
   const Vector2d to = edges_.put_on_sides(step.cell, step.to);
+  // A step with both ends on one side runs along it, and is no piece of the cell's inside.
   for (int side = 0; side < 4; ++side) {
     const EdgePlace a = edges_.on_side(step.cell, side, on_grid(from));
     const EdgePlace b = edges_.on_side(step.cell, side, on_grid(to));
@@ -97,6 +100,7 @@ void Builder::add_step(const CurveStep& step, int curve) {
 void Builder::mark_along(const Along& along) {
   for (const EdgePoints::Part& part : edges_.parts(along.edge)) {
     if (part.from < along.from || part.to > along.to) continue;
+    // Of curves on one another the first has the side.
     mesh_.seams.try_emplace(ShellMesh::pair_key(part.first, part.last), along.curve);
   }
 }
@@ -105,6 +109,7 @@ void Builder::mark_knuckle(int edge) {
   const int h = edges_.front(edge), twin = cells_.twin(h);
   if (twin < 0 || !cells_.is_crease(h)) return;
   for (const EdgePoints::Part& part : edges_.parts(edge)) {
+    // One angle for each part, in its middle, as seen from the two cells.
     const std::int64_t middle = part.from + (part.to - part.from) / 2;
     const Vector2d one = on_half_edge(h, middle),
                    other = on_half_edge(twin, CellTriangulation::kParts - middle);
@@ -118,9 +123,11 @@ void Builder::mark_knuckle(int edge) {
 
 Vector2d Builder::lengths_of(int cell) const {
   const int h = 4 * cell;
+  // Of opposite sides the longer one tells how finely the cell is cut.
   const auto longer = [&](int a, int b) {
     return std::max({edges_.length(cells_.edge(a)), edges_.length(cells_.edge(b)), 1e-9 * size_});
   };
+  // A cell's side without length must not make the triangulation's square a line.
   return {longer(h, h + 2), longer(h + 1, h + 3)};
 }
 
@@ -133,6 +140,7 @@ Vector2d Builder::turns_of(int cell) const {
 }
 
 int Builder::add(CellTriangulation& net, const Vector2d& uv) {
+  // The net decides by whole numbers; exact places are kept beside it.
   const int local = net.add(on_grid(uv));
   if (local == static_cast<int>(uv_.size())) uv_.push_back(uv);
   return local;
@@ -157,6 +165,7 @@ int Builder::point_of(int cell, int local) {
   const Vector2d& uv = uv_[local];
   for (int side = 0; side < 4; ++side) {
     const EdgePlace place = edges_.on_side(cell, side, on_grid(uv));
+    // On a side: the point that the neighbour has there, too.
     if (place.edge >= 0) return edges_.point(place);
   }
   mesh_.points.push_back(surface_.position(cell, uv.x(), uv.y()));
@@ -168,6 +177,7 @@ void Builder::triangulate(int cell) {
   const Vector2d lengths = lengths_of(cell);
   CellTriangulation net(lengths);
   uv_.clear();
+  // The net begins with the corners, in this order.
   for (int side = 0; side < 4; ++side) uv_.push_back(on_square_side(side, 0.0));
   for (int side = 0; side < 4; ++side) {
     const bool front = cells_.is_edge_front(h + side);
@@ -182,6 +192,7 @@ void Builder::triangulate(int cell) {
     ends.push_back({a, add(net, part.to)});
   }
   add_inner_points(lengths, turns_of(cell), parts, net);
+  // Once all points are there: an edge through a point is divided by it.
   for (std::size_t i = 0; i < parts.size(); ++i) {
     net.constrain(ends[i][0], ends[i][1], parts[i].curve);
   }

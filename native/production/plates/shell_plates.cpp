@@ -43,6 +43,7 @@ class Sides {
     return triangles_.at(key)[1] < 0 || mesh_.seams.contains(key);
   }
   int curve(std::uint64_t key) const {
+    // Along the surface's border no curve counts, even if one lies there.
     const auto found = mesh_.seams.find(key);
     return triangles_.at(key)[1] < 0 || found == mesh_.seams.end() ? -1 : found->second;
   }
@@ -66,6 +67,7 @@ class Divider {
       plate.loops = loops_of(plate);
       if (options_.across_centre) join_across_centre(shell_, options_.largest_knuckle, plate);
     }
+    // Plates abreast of one another stay in the order of their cells.
     std::stable_sort(plates_.begin(), plates_.end(),
                      [](const Plate& a, const Plate& b) { return a.centre.x() < b.centre.x(); });
     return std::move(plates_);
@@ -108,6 +110,7 @@ void Divider::group() {
     while (root[t] != t) t = root[t] = root[root[t]];
     return t;
   };
+  // The order of the table does not matter: groups are the same ones, and numbered by triangles.
   for (const auto& [key, pair] : sides_.all()) {
     if (!sides_.is_open(key)) root[find(pair[0])] = find(pair[1]);
   }
@@ -123,6 +126,7 @@ void Divider::group() {
 
 // Sides with one plate on both sides part nothing: all can go at once.
 void Divider::leave_out_loose() {
+  // By curve, so that they are told of in the curves' order.
   std::map<int, LooseStretch> found;
   std::map<int, double> longest;
   for (const auto& [key, pair] : sides_.all()) {
@@ -136,6 +140,7 @@ void Divider::leave_out_loose() {
       longest[seam->second] = length;
       stretch.middle = middle(key);
     }
+    // Sides look their seams up in this table: from here on the stretch parts nothing.
     mesh_.seams.erase(seam);
   }
   for (const auto& [curve, stretch] : found) loose_.push_back(stretch);
@@ -165,6 +170,7 @@ void Divider::measure() {
     const Vector3d a = mesh_.points[t.points[0]];
     total += 0.5 * (mesh_.points[t.points[1]] - a).cross(mesh_.points[t.points[2]] - a).norm();
   }
+  // In equal shares, whatever the triangles' sizes: the errors' sum is bounded by it.
   const double tolerance = kAreaTolerance * total / static_cast<double>(mesh_.triangles.size());
   double done = 0.0;
   for (Plate& plate : plates_) {
@@ -179,8 +185,9 @@ void Divider::measure() {
   }
 }
 
-// Where borders of the plate touch in a point the loop goes on to the left: around the plate.
+// Where borders of the plate touch in a point the loop goes on along any of them.
 std::vector<std::vector<PlateSide>> Divider::loops_of(const Plate& plate) const {
+  // Triangles have their inside, and so the plate, to the left of their sides.
   std::multimap<int, int> next;
   for (const int t : plate.triangles) {
     for (int i = 0; i < 3; ++i) {
@@ -190,6 +197,7 @@ std::vector<std::vector<PlateSide>> Divider::loops_of(const Plate& plate) const 
   }
   std::vector<std::vector<PlateSide>> loops;
   while (!next.empty()) {
+    // Loops begin at their points of the lowest number: the same ones each time.
     std::vector<int> loop{next.begin()->first};
     do {
       const auto found = next.find(loop.back());
@@ -218,6 +226,7 @@ std::vector<PlateSide> Divider::sides_of(std::vector<int> loop) const {
   const auto n = static_cast<int>(loop.size()) - 1;
   const auto curve = [&](int i) { return sides_.curve(ShellMesh::pair_key(loop[i], loop[i + 1])); };
   int start = 0;
+  // A side must not begin in the middle of a curve.
   while (start < n && curve(start) == curve((start + n - 1) % n)) ++start;
   if (start == n) start = 0;
   std::vector<PlateSide> sides;
@@ -249,6 +258,7 @@ Plating plating(const surface::LimitSurface& surface, std::vector<SurfaceCurve> 
     throw std::invalid_argument("The largest knuckle within a plate must be an angle, 0 or more.");
   }
   for (const SurfaceCurve& curve : curves) require_on(surface, curve);
+  // A copy of the surface: the plates stay when the given one's points are set.
   auto shell = std::make_shared<PlatedShell>(PlatedShell{surface, std::move(curves), {}});
   shell->mesh = shell_mesh(shell->surface, shell->curves, options.size,
                            surface::part_of(options.progress, 0.0, 0.5));

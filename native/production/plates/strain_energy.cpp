@@ -37,6 +37,7 @@ Eigen::Matrix2d SheetMap::slopes(const PlatePoint& point) const {
   for (int k = 0; k < SheetSplines::kOnPoint; ++k) {
     if (at.functions[k] >= 0) f += coefficients[at.functions[k]] * at.slopes.row(k);
   }
+  // By the chain rule: spline by chart, chart by point, point by lengths along the tangents.
   return f * (in_chart.slopes * point.tangents);
 }
 
@@ -63,15 +64,18 @@ LeastEnergy make_energy_least(SheetMap& map, const std::vector<PlatePoint>& poin
     promised = downhill.dot(steps);
     std::vector<Vector2d> tried = map.coefficients;
     for (std::size_t i = 0; i < tried.size(); ++i) tried[i] += steps.segment<2>(2 * i);
+    // The energy need not fall by rounding: a small change either way is the end.
     const double energy = sheet.energy(tried), change = std::abs(energy - found.energy);
     found.converged = change <= kSmallGain * found.energy + none;
     if (energy <= found.energy) {
       found.energy = energy;
       map.coefficients = std::move(tried);
+      // A matrix with damping does not serve again: without it the next step is longer.
       if (damping > 0.0) promised = 0.0;
       damping = damping < 1e-8 ? 0.0 : 0.1 * damping;
     } else {
       promised = 0.0;
+      // An old matrix is no reason to damp: a fresh one comes first.
       if (is_fresh) damping = std::max(10.0 * damping, 1e-4);
     }
   }

@@ -22,6 +22,7 @@ Vector2d third_difference(const std::array<int, 4>& run, const std::vector<Vecto
 
 // The rotation nearest to f; never a reflection, so that parts turned over cost energy.
 Eigen::Matrix2d nearest_turn(const Eigen::Matrix2d& f) {
+  // The polar decomposition in closed form: its angle's tangent is (F21 - F12) / (F11 + F22).
   const Vector2d at(f(0, 0) + f(1, 1), f(1, 0) - f(0, 1));
   const double length = at.norm();
   const Vector2d way = length > 0.0 ? Vector2d(at / length) : Vector2d::UnitX();
@@ -66,6 +67,7 @@ StrainedSheet::StrainedSheet(const PlateChart& chart, const SheetSplines& spline
   for (const PlatePoint& p : points) {
     const PlateChart::Value in_chart = chart.value(p.at);
     const SheetSplines::Values values = splines.at(in_chart.at);
+    // By the chain rule to derivatives by lengths on the surface.
     found.push_back({values.functions, values.slopes * (in_chart.slopes * p.tangents), p.area});
     area_ += p.area;
   }
@@ -80,12 +82,14 @@ StrainedSheet::StrainedSheet(const PlateChart& chart, const SheetSplines& spline
 
 Eigen::Matrix2d StrainedSheet::derivatives(const Point& point, const std::vector<Vector2d>& c) {
   Eigen::Matrix2d f = Eigen::Matrix2d::Zero();
+  // None is missing: SheetSplines::use() had all of these points.
   for (int k = 0; k < kOnPoint; ++k) f += c[point.functions[k]] * point.slopes.row(k);
   return f;
 }
 
 // Whose squares sum to the energy.
 Eigen::Vector3d StrainedSheet::weighted(double e11, double e22, double e12, double weight) const {
+  // The density is (ε1 + ν ε2)² + (1 - ν²) ε2² + 2 (1 - ν) ε12².
   return std::sqrt(weight) * Eigen::Vector3d(std::sqrt(1.0 - poisson_ * poisson_) * e22,
                                              e11 + poisson_ * e22,
                                              std::sqrt(2.0 * (1.0 - poisson_)) * e12);
@@ -136,6 +140,8 @@ StrainedSheet::Jacobian StrainedSheet::jacobian(const Point& point,
 }
 
 void StrainedSheet::hold_turns() {
+  // With turns held and without Poisson's ratio the energy is the sum of |F - R|²: x and y part,
+  // and have one and the same matrix, which does not change from step to step.
   const int n = count_;
   std::vector<Eigen::Triplet<double>> entries;
   using Block = Eigen::Matrix<double, kOnPoint, kOnPoint>;
@@ -144,6 +150,7 @@ void StrainedSheet::hold_turns() {
     const Functions& numbers = points_[p].functions;
     block.noalias() += points_[p].weight * points_[p].slopes * points_[p].slopes.transpose();
     if (p + 1 < points_.size() && points_[p + 1].functions == numbers) continue;
+    // The lower half, which is all that the solver reads.
     for (int i = 0; i < kOnPoint; ++i) {
       for (int j = 0; j < kOnPoint; ++j) {
         if (numbers[j] <= numbers[i]) entries.emplace_back(numbers[i], numbers[j], block(i, j));
@@ -167,6 +174,8 @@ void StrainedSheet::hold_turns() {
 }
 
 std::vector<Vector2d> StrainedSheet::with_turns_held(const std::vector<Vector2d>& c) {
+  // By turns the nearest rotations follow from the map, and the map from them: neither makes the
+  // energy without Poisson's ratio larger.
   if (!held_made_) hold_turns();
   const int n = count_;
   Eigen::MatrixX2d right = Eigen::MatrixX2d::Zero(n, 2);
@@ -189,6 +198,7 @@ Eigen::VectorXd StrainedSheet::downhill(const std::vector<Vector2d>& c) const {
     const Eigen::Vector4d slope =
         by_derivatives(f, point.weight).transpose() * residuals(f, point.weight);
     for (int k = 0; k < kOnPoint; ++k) {
+      // F11 and F21 go with a function's first slope, F12 and F22 with its second one.
       sum.segment<2>(2 * point.functions[k]) -=
           point.slopes(k, 0) * slope.head<2>() + point.slopes(k, 1) * slope.tail<2>();
     }
@@ -232,6 +242,7 @@ void StrainedSheet::set_matrix(const std::vector<Vector2d>& c, double damping) {
   }
   Matrix whole(n, n);
   whole.setFromTriplets(entries.begin(), entries.end());
+  // Entries are where functions meet, for any coefficients: the order of elimination is found once.
   if (!analysed_) solver_.analyzePattern(whole);
   analysed_ = true;
   solver_.factorize(whole);

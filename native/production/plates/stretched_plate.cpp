@@ -43,6 +43,7 @@ void measure_stretch(FlatPlate& flat) {
       const auto point = plate_point(flat.mesh.shell->surface, flat.mesh.triangle(element), b);
       if (!point) continue;
       const Vector2d values = flat.map->slopes(*point).jacobiSvd().singularValues();
+      // Singular values fall, and are lengths on the plane over those on the hull.
       flat.stretches.back() = values.cwiseInverse();
       flat.least_stretch = std::min(flat.least_stretch, 1.0 / values[0]);
       flat.largest_stretch = std::max(flat.largest_stretch, 1.0 / values[1]);
@@ -66,6 +67,7 @@ void place_nodes(FlatPlate& flat) {
 }
 
 PlateChart chart_of(const FlatPlate& flat, const Plate& plate) {
+  // Six points a triangle are enough to see all directions to which the plate turns.
   const auto points =
       quadrature_points(flat.mesh, std::numeric_limits<double>::infinity(), plate.across);
   const auto chart = PlateChart::best(points, plate.across);
@@ -78,6 +80,7 @@ PlateChart chart_of(const FlatPlate& flat, const Plate& plate) {
 
 Eigen::AlignedBox2d box_of(const FlatPlate& flat, const PlateChart& chart, bool across) {
   Eigen::AlignedBox2d box;
+  // Sides may bulge over the box of the corners: the splines' last cells go on there.
   for (const int corner : flat.mesh.corners) {
     Vector3d p = flat.mesh.shell->mesh.points[corner];
     box.extend(chart.value(p).at);
@@ -105,6 +108,7 @@ std::vector<PlatePoint> settle(FlatPlate& flat, const Plate& plate, double poiss
 double error_after(double before, double change) {
   if (change > kSlowest * before) return change;
   const double ratio = std::max(change / before, kFastest);
+  // The sum of change ratio^k over k > 0.
   return change * ratio / (1.0 - ratio);
 }
 
@@ -120,6 +124,7 @@ void stretch(FlatPlate& flat, const Plate& plate, double poisson) {
   for (int k = 0; k < kMostHalvings; ++k) {
     const bool is_large = flat.stretch_error > kLargeError;
     const int most = is_large ? kMostWhereLarge : kMostFunctions;
+    // Halving makes about four functions of one.
     if (k > 0 && 4 * flat.map->splines.count() > most) break;
     const SheetMap coarser = *flat.map;
     const double least = flat.least_stretch, largest = flat.largest_stretch;
@@ -135,6 +140,7 @@ void stretch(FlatPlate& flat, const Plate& plate, double poisson) {
   }
   flat.converged = flat.converged && flat.stretch_error <= kLargeError;
   flat.area = 0.0;
+  // The determinant is the area on the plane over that on the hull.
   for (const PlatePoint& p : points) flat.area += p.area * flat.map->slopes(p).determinant();
   place_nodes(flat);
 }

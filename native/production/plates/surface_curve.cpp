@@ -18,7 +18,7 @@ using surface::on_square_side;
 namespace {
 
 // Of the mesh's size: points of a curve are at its places on the surface, which are put onto sides
-// and corners within kOnSide.
+// and corners within kOnCellSide.
 constexpr double kOnOwnSurface = 1e-7;
 // Of a cell's side: as near as a shortest way tells its place on it.
 constexpr double kNearestOnSide = 1e-8;
@@ -48,6 +48,7 @@ void add_at_corner(std::vector<CellPlace>& places, int h) {
 
 void add_around(const Topology& cells, int h, std::vector<CellPlace>& places) {
   add_at_corner(places, h);
+  // Around the corner one way, and from the start the other way, if a border ended the first.
   int g = cells.twin(cells.prev(h));
   for (; g >= 0 && g != h; g = cells.twin(cells.prev(g))) add_at_corner(places, g);
   if (g == h) return;
@@ -129,6 +130,7 @@ class Joiner {
       const Vector2d uv = on_square_side(h % 4, t);
       return CellPlace{h / 4, uv.x(), uv.y()};
     };
+    // The sum of two distances is convex along a straight side, and nearly so along others.
     const auto shortness = [&](double t) {
       const CellPlace at = place(t);
       const Vector3d p = surface_.position(at.cell, at.u, at.v);
@@ -154,6 +156,7 @@ std::optional<double> crossing(const CurveStep& a, const CurveStep& b) {
   const double turn = cross(along, other);
   if (std::abs(turn) <= 1e-12 * along.norm() * other.norm()) return std::nullopt;
   const double t = cross(apart, other) / turn, s = cross(apart, along) / turn;
+  // Ends count, within what is put onto sides and corners.
   const double near_t = kOnCellSide / along.norm(), near_s = kOnCellSide / other.norm();
   if (t < -near_t || t > 1.0 + near_t || s < -near_s || s > 1.0 + near_s) return std::nullopt;
   return std::clamp(t, 0.0, 1.0);
@@ -164,6 +167,7 @@ std::optional<double> crossing(const CurveStep& a, const CurveStep& b) {
 std::vector<CellPlace> places_of(const Topology& cells, const CellPlace& place) {
   const Vector2d uv(snapped(place.u), snapped(place.v));
   const int side = side_at(uv);
+  // A corner belongs to two sides: all cells around it have it.
   std::vector<CellPlace> places;
   if (side < 0) return {{place.cell, uv.x(), uv.y()}};
   const double t = along_side(side, uv);
@@ -184,6 +188,7 @@ std::vector<CurveStep> in_all_cells(const Topology& cells, const CurveStep& step
   std::vector<CurveStep> steps{step};
   for (int side = 0; side < 4; ++side) {
     const Vector2d begin = on_square_side(side, 0.0), along = on_square_side(side, 1.0) - begin;
+    // Exactly: what is near a side places_of() has put there.
     if (cross(step.from - begin, along) != 0.0 || cross(step.to - begin, along) != 0.0) continue;
     const int twin = cells.twin(4 * step.cell + side);
     if (twin < 0) continue;
@@ -235,6 +240,7 @@ std::vector<SurfaceCurve> pieces_between(const surface::LimitSurface& surface,
                                          const std::vector<SurfaceCurve>& others) {
   require_on(surface, curve);
   for (const SurfaceCurve& other : others) require_on(surface, other);
+  // By cells: a step is compared with few others.
   std::vector<std::vector<CurveStep>> in_cell(surface.cell_count());
   for (const SurfaceCurve& other : others) {
     for (const CurveStep& step : other.steps) {
@@ -253,12 +259,14 @@ std::vector<SurfaceCurve> pieces_between(const surface::LimitSurface& surface,
   for (std::size_t k = 0; k < curve.steps.size(); ++k) {
     const CurveStep& step = curve.steps[k];
     std::vector<double> cuts;
+    // Along a side curves in the other cell pass the step, too.
     for (const CurveStep& seen : in_all_cells(surface.cells(), step)) {
       for (const CurveStep& other : in_cell[seen.cell]) {
         if (const auto t = crossing(seen, other)) cuts.push_back(*t);
       }
     }
     std::sort(cuts.begin(), cuts.end());
+    // The step's end, at which no piece begins.
     cuts.push_back(2.0);
     const double shortest = kOnCellSide / (step.to - step.from).norm();
     double last = 0.0;
@@ -268,7 +276,9 @@ std::vector<SurfaceCurve> pieces_between(const surface::LimitSurface& surface,
       const Vector2d uv = end == 1.0 ? step.to : at(end);
       const Vector3d p =
           end == 1.0 ? curve.points[k + 1] : surface.position(step.cell, uv.x(), uv.y());
+      // What is shorter than places are told apart by is no step.
       if (end - last > shortest) {
+        // The step's own ends exactly, as other cells have them.
         pieces.back().steps.push_back({step.cell, last == 0.0 ? step.from : at(last), uv});
         pieces.back().points.push_back(p);
         last = end;

@@ -26,6 +26,8 @@ struct TriangleRule {
     for (int i = 0; i < kOrder; ++i) {
       for (int j = 0; j < kOrder; ++j) {
         const double s = rule.nodes[i];
+        // The square's side s = 1 shrinks to a point, and the weights have 1 - s, the map's
+        // determinant.
         at.emplace_back(s, (1.0 - s) * rule.nodes[j]);
         weights.push_back(rule.weights[i] * rule.weights[j] * (1.0 - s));
       }
@@ -41,10 +43,11 @@ Polygon cut_off(const Polygon& polygon, int axis, double at, double sign) {
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Vector2d &p = polygon[i], &q = polygon[(i + 1) % polygon.size()];
     const double here = sign * (p[axis] - at), there = sign * (q[axis] - at);
+    // Corners on the line are of both parts; sides along it cross nothing.
     if (here >= 0.0) part.push_back(p);
     if ((here > 0.0 && there < 0.0) || (here < 0.0 && there > 0.0)) {
       Vector2d between = p + here / (here - there) * (q - p);
-      between[axis] = at;
+      between[axis] = at;  // exactly, so that both parts share it
       part.push_back(between);
     }
   }
@@ -66,6 +69,7 @@ class Integrator {
                    const Square& square) const {
     using Kind = surface::SurfaceNode::Kind;
     if (polygon.size() < 3) return {};
+    // A triangle may go over several pieces: its parts in each are convex polygons.
     if (node.kind == Kind::kSplit) {
       const auto& children = surface_.layout().split(node.index);
       return by_quarters(polygon, square, [&](const Polygon& part, int i, const Square& quarter) {
@@ -93,8 +97,10 @@ class Integrator {
 
   // Rings of pieces that shrink towards an irregular corner.
   AreaMoments around_corner(const Polygon& polygon, const Square& square, int ring) const {
+    // 4^-22 of the square's area is left.
     if (ring == kRings) return fan(polygon, [this](const Corners& c) { return by_rule(c); });
     return by_quarters(polygon, square, [&](const Polygon& part, int i, const Square& quarter) {
+      // The quarter's corner that is one of the whole square's.
       const double u = quarter.u + (i % 2) * quarter.size, v = quarter.v + (i / 2) * quarter.size;
       return surface_.is_irregular_knot(cell_, u, v) ? around_corner(part, quarter, ring + 1)
                                                      : smooth(part);
@@ -122,6 +128,7 @@ class Integrator {
     std::array<AreaMoments, 4> parts;
     AreaMoments sum;
     for (int k = 0; k < 4; ++k) sum += parts[k] = by_rule(quarters[k]);
+    // The finer sum is taken; a quarter of the triangle gets a quarter of the tolerance.
     if (std::abs(sum.area - whole.area) <= tolerance || depth == kDeepest) return sum;
     sum = {};
     for (int k = 0; k < 4; ++k) {

@@ -27,6 +27,9 @@ RayCrossing crossing_of(const ClosedModel& model, int triangle, const Vector3d& 
   const auto across = [&](const Vector3d& p, const Vector3d& q) {
     return (p[u] - from[u]) * (q[v] - from[v]) - (p[v] - from[v]) * (q[u] - from[u]);
   };
+  // Areas of the triangles with the line's point at their tips: of one sign where it is inside, and
+  // the weights of the corners (barycentric coordinates). Borders count, so that no ray slips
+  // through.
   const double wa = across(b, c), wb = across(c, a), wc = across(a, b);
   const double sum = wa + wb + wc, sign = sum > 0.0 ? 1.0 : -1.0;
   if (sum == 0.0 || sign * wa < 0.0 || sign * wb < 0.0 || sign * wc < 0.0) return {0.0, 0.0};
@@ -39,7 +42,8 @@ AxisRays::AxisRays(const ClosedModel& model, int axis)
     : model_(model), axis_(axis), u_((axis + 1) % 3), v_((axis + 2) % 3) {
   Eigen::AlignedBox3d box;
   for (const Vector3d& p : model.points) box.extend(p);
-  // About as many bins as triangles, as square as that goes.
+  // About as many bins as triangles, as square as that goes: a line then looks at few triangles but
+  // those that it meets.
   const double wide = std::max(box.sizes()[u_], 1e-300), high = std::max(box.sizes()[v_], 1e-300);
   const double side = std::sqrt(wide * high / std::max<double>(1.0, model.triangles.size()));
   columns_ = static_cast<int>(std::clamp(std::ceil(wide / side), 1.0, 4096.0));
@@ -84,6 +88,7 @@ bool AxisRays::meets_above(const Vector3d& from) const {
 }
 
 const std::vector<int>& AxisRays::near(const Vector3d& from) const {
+  // Beside the model's box this is a bin of its border, none of whose triangles is met.
   const int i = bin_of(from[u_], low_u_, step_u_, columns_);
   const int j = bin_of(from[v_], low_v_, step_v_, rows_);
   return bins_[static_cast<std::size_t>(j) * columns_ + i];

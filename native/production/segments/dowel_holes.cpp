@@ -22,6 +22,7 @@ using Polygon = std::vector<Vector2d>;
 
 double distance_to(const Polygon& polygon, const Vector2d& p) {
   double least = std::numeric_limits<double>::infinity();
+  // Polygons are convex: a place is inside where it lies on one side of all of their sides.
   bool left = polygon.size() > 2, right = left;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Vector2d &a = polygon[i], ab = polygon[(i + 1) % polygon.size()] - a;
@@ -91,12 +92,14 @@ struct Joint {
 std::optional<Joint> joint_between(const std::vector<ModelSegment>& segments, int i, int j) {
   for (int axis = 0; axis < 3; ++axis) {
     const double at = segments[i].box[1][axis];
+    // Planes are numbers of one grid: what is the same is equal to the last bit.
     if (at != segments[j].box[0][axis]) continue;
     const auto seen = [axis](const Vector3d& p) {
       return Vector2d(p[(axis + 1) % 3], p[(axis + 2) % 3]);
     };
     const AlignedBox2d a(seen(segments[i].box[0]), seen(segments[i].box[1]));
     const AlignedBox2d b(seen(segments[j].box[0]), seen(segments[j].box[1]));
+    // Segments that meet in an edge or a corner have no joint.
     const AlignedBox2d common = a.intersection(b);
     if (!common.isEmpty() && common.sizes().minCoeff() > 0.0) return Joint{axis, at, i, j, common};
   }
@@ -148,6 +151,7 @@ void add_dowel_holes(ModelSegments& result, const Dowels& dowels) {
     for (int j = 0; j < count; ++j) {
       const std::optional<Joint> joint = i == j ? std::nullopt : joint_between(segments, i, j);
       if (!joint) continue;
+      // Of the hole, and as much of the segment below it as its radius.
       const double depth = dowels.depth + dowels.radius;
       const JointSide below(segments[i].model, joint->axis, joint->at, true, depth);
       const JointSide above(segments[j].model, joint->axis, joint->at, false, depth);
@@ -169,6 +173,7 @@ void add_dowel_holes(ModelSegments& result, const Dowels& dowels) {
       }
     }
   }
+  // Of the polygon that is drilled, not of its circle.
   const double disc =
       0.5 * kDowelCorners * std::sin(2.0 * M_PI / kDowelCorners) * dowels.radius * dowels.radius;
   result.holes_volume = result.holes * disc * dowels.depth;

@@ -33,19 +33,21 @@ AlignedBox3d box_of(const ClosedModel& model) {
 std::vector<double> spaced(double low, double high, int layers, double size) {
   std::vector<double> planes(layers + 1);
   for (int i = 0; i <= layers; ++i) planes[i] = low + (high - low) * i / layers;
-  planes.back() = high;
+  planes.back() = high;  // exactly, so that nothing is left above
   if (std::abs(planes[layers / 2]) < kSamePlane * size) planes[layers / 2] = 0.0;
   return planes;
 }
 
 int layers_for(double extent, double longest, int planes, const SegmentRules& rules) {
   int layers = static_cast<int>(std::lround(planes * extent / longest));
+  // At least so many that a layer fits the machine whichever way round the segment lies.
   layers = std::max(layers, static_cast<int>(std::ceil(extent / rules.machine.minCoeff())));
   layers = std::clamp(layers, kFewestPlanes, kMostPlanes);
   return layers + layers % 2;
 }
 
 std::array<int, 3> layers_for(const Vector3d& sizes, const SegmentRules& rules) {
+  // Fewer and fewer along the longest side, until the boxes can be looked through.
   for (int planes = rules.planes; planes >= kFewestPlanes; --planes) {
     std::array<int, 3> layers;
     double boxes = 1.0;
@@ -75,6 +77,7 @@ class ModelRays {
     const Vector3d middle = (face[0] + face[1] + face[2]) / 3.0;
     double nearest = along_[axis].first_entry(middle + off_ * normal, up);
     for (const Vector3d& corner : face) {
+      // Not at the corner itself, where the faces beside would be met.
       const Vector3d from = corner + 0.02 * (middle - corner) + off_ * normal;
       const double at = along_[axis].first_entry(from, up);
       nearest = up ? std::min(nearest, at) : std::max(nearest, at);
@@ -106,6 +109,8 @@ SegmentGrid::SegmentGrid(const ClosedModel& model, const SegmentRules& rules,
   const ModelRays rays(model, kOffFace * size_);
   const auto layers = [this](int a) { return static_cast<int>(planes_[a].size()) - 1; };
   cells_.resize(static_cast<std::size_t>(layers(0)) * layers(1) * layers(2));
+  // Slices off a rest that shrinks, along x, of these along y, of these along z: each triangle is
+  // cut a few times, not once for each cell.
   ClosedModel after_x = model;
   for (int i = 0; i < layers(0); ++i) {
     surface::tell(progress, i, layers(0));
@@ -140,8 +145,10 @@ void SegmentGrid::take_faces(const ClosedModel& piece, const std::array<int, 3>&
 // Whether the face is in a plane between cells.
 bool SegmentGrid::take_cap(const std::array<Vector3d, 3>& face, double area,
                            const std::array<int, 3>& at, Cell& cell) const {
+  // Even directions look up their axis: their side of the cell is its upper plane.
   for (int d = 0; d < 6; ++d) {
     const int axis = d / 2, plane = at[axis] + (d % 2 == 0);
+    // Outer planes are no cuts: what lies there is the model's own.
     if (plane == 0 || plane + 1 == static_cast<int>(planes_[axis].size())) continue;
     const double place = planes_[axis][plane];
     if (face[0][axis] != place || face[1][axis] != place || face[2][axis] != place) continue;
@@ -157,12 +164,15 @@ void SegmentGrid::take_face(const std::array<Vector3d, 3>& face, const Vector3d&
   const Vector3d normal = across / area;
   for (int axis = 0; axis < 3; ++axis) {
     const double steep = std::abs(normal[axis]);
+    // The blade can't cut within 45 degrees of the layers' normal; faces just across it are the
+    // layers' own sides.
     if (steep > std::sin(0.25 * M_PI + kTurnedAway) && steep < 1.0 - kFlat) {
       cell.uncut[axis] += area;
     }
     for (int d = 2 * axis; d <= 2 * axis + 1; ++d) {
       const bool up = d % 2 == 0;
       const double towards = up ? normal[axis] : -normal[axis];
+      // 1 - |n| is of second order in the angle: 1e-9 are 4.5e-5 rad.
       if (towards < kFlat - 1.0) {
         cell.backs[d].emplace_back(face[0][axis], area);
         continue;
@@ -171,6 +181,7 @@ void SegmentGrid::take_face(const std::array<Vector3d, 3>& face, const Vector3d&
       std::vector<double>& hidden = cell.hidden[d];
       const bool turned_away = towards < -std::sin(kTurnedAway);
       const double entry = turned_away ? 0.0 : rays.in_the_way(face, normal, axis, up);
+      // For all planes at which a box could end on the tool's side: judging a box is a sum then.
       for (std::size_t i = 0; i < planes.size(); ++i) {
         const bool beyond = up ? planes[i] <= entry : planes[i] >= entry;
         if (turned_away || !beyond) hidden[i] += area;
@@ -205,6 +216,7 @@ SegmentVerdict SegmentGrid::judged(const SegmentBox& box) const {
   SegmentVerdict best;
   if (extents.isEmpty()) return best;
   const bool milled = rules_.making == SegmentMaking::kMilling;
+  // Layers are the same from either side.
   for (int direction = 0; direction < 6; direction += milled ? 1 : 2) {
     const SegmentVerdict one = judged_along(box, extents, direction);
     if (best.direction < 0 || one.penalty < best.penalty) best = one;
@@ -223,6 +235,7 @@ SegmentVerdict SegmentGrid::judged_along(const SegmentBox& box, const AlignedBox
   const double cut_plane = planes_[axis][up ? box.low[axis] : box.high[axis]];
   const bool is_cut = std::abs(cut_plane - back) <= kSamePlane * size_;
   double back_area = 0.0;
+  // Sums of what each cell knows, so that a box costs as much as it has cells.
   each_cell(box, [&](const Cell& cell) {
     if (cell.box.isEmpty()) return;
     if (!milled) {
@@ -234,6 +247,7 @@ SegmentVerdict SegmentGrid::judged_along(const SegmentBox& box, const AlignedBox
       const bool is_back = std::abs(place - back) <= kSamePlane * size_;
       (is_back ? back_area : verdict.inaccessible) += area;
     }
+    // The back is on the side away from the tool; a cut there is a plane to lie on.
     const double side = up ? cell.box.min()[axis] : cell.box.max()[axis];
     if (is_cut && side == cut_plane) back_area += cell.caps[direction ^ 1];
   });
@@ -242,6 +256,7 @@ SegmentVerdict SegmentGrid::judged_along(const SegmentBox& box, const AlignedBox
   Vector3d across = extents.sizes();
   const double along = across[axis];
   across[axis] = 0.0;
+  // The two sizes across, by size: either way round.
   const double wide = across.maxCoeff(), narrow = across.sum() - wide;
   const double slack = 1.0 + kSamePlane;
   verdict.fits = along <= slack * rules_.machine[2] &&

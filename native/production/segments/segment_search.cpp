@@ -23,6 +23,8 @@ SegmentSearch::SegmentSearch(const SegmentGrid& grid, const surface::Progress& p
   }
   found_.resize(static_cast<std::size_t>(numbers));
   double done = 0.0;
+  // By rising sizes along each axis: both parts of a box, smaller along one and equal along the
+  // others, are known before it.
   SegmentBox box;
   for (int x = 1; x <= layers_[0]; ++x) {
     for (int y = 1; y <= layers_[1]; ++y) {
@@ -48,6 +50,8 @@ std::size_t SegmentSearch::number(const SegmentBox& box) const {
   std::size_t result = 0;
   for (int a = 0; a < 3; ++a) {
     const std::size_t planes = layers_[a] + 1;
+    // Two digits for each axis, of as many values as it has planes: pairs that are no boxes have
+    // numbers, too.
     result = (result * planes + box.low[a]) * planes + box.high[a];
   }
   return result;
@@ -63,8 +67,10 @@ bool SegmentSearch::is_better(const Best& a, const Best& b) const {
 
 SegmentSearch::Best SegmentSearch::searched(const SegmentBox& box) const {
   const SegmentVerdict verdict = grid_.judged(box);
+  // An empty box is no segment and costs nothing.
   if (verdict.direction < 0) return {};
   Best best{verdict.penalty, std::sqrt(std::max(0.0, grid_.volume(box))), 1, {}};
+  // What can be made is not cut further: no cut can do better than no penalty.
   if (verdict.penalty == 0.0) return best;
   for (int a = 0; a < 3; ++a) {
     SegmentBox below = box, above = box;

@@ -34,6 +34,7 @@ void cut_up(const ClosedModel& model, const SegmentBox& box, const SegmentGrid& 
   }
   const CutModel parts = cut(model, found.axis, grid.planes()[found.axis][found.plane]);
   SegmentBox below = box, above = box;
+  // The search has both parts, as it was through all boxes before anything was cut.
   below.high[found.axis] = above.low[found.axis] = found.plane;
   cut_up(parts.below, below, grid, search, segments);
   cut_up(parts.above, above, grid, search, segments);
