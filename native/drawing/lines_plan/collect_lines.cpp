@@ -41,6 +41,7 @@ std::vector<double> in_order(std::vector<double> positions, const std::string& k
     }
   }
   std::sort(positions.begin(), positions.end());
+  // `b` comes after `a` in order.
   const auto is_same = [same](double a, double b) { return b - a <= same; };
   positions.erase(std::unique(positions.begin(), positions.end(), is_same), positions.end());
   return positions;
@@ -88,6 +89,7 @@ void check_spacing(const std::optional<double>& value, const std::string& name) 
 // The parts of the curve to port of y = 0. Points less than `slack` to starboard are taken for
 // points of the centre plane.
 void add_port_half(std::vector<ShipCurve>& curves, ShipCurve curve, double slack) {
+  // Of a spline the control points: the curve moves by no more than they do.
   const auto to_centre_plane = [slack](Vector3d& point) {
     if (point.y() < 0.0 && point.y() >= -slack) point.y() = 0.0;
   };
@@ -108,6 +110,7 @@ ShipCurve with_points(const surface::CubicSpline& spline) {
   const std::vector<double>& knots = spline.knots();
   curve.points.push_back(spline.evaluate(spline.begin(), 0).point);
   for (std::size_t i = 4; i + 3 < knots.size(); ++i) {
+    // A convex combination of the knots, which ends exactly in the next one.
     for (int step = 1; step <= kStepsPerKnot; ++step) {
       const double share = static_cast<double>(step) / kStepsPerKnot;
       const double t = (1.0 - share) * knots[i - 1] + share * knots[i];
@@ -198,6 +201,7 @@ void mark_design_waterline(const Cutter& cutter, std::vector<NamedCurves>& water
     return std::abs(line.position - draft) <= cutter.same();
   };
   const auto found = std::find_if(waterlines.begin(), waterlines.end(), is_same);
+  // At the very draft, so that is_design_waterline() knows it again.
   if (found != waterlines.end()) {
     found->position = draft;
     found->label = "DWL " + found->label;
@@ -233,6 +237,7 @@ ShipCurve ship_curve(const surface::CreaseCurve& crease) {
   for (int i = 0; i <= steps; ++i) {
     curve.points.push_back(crease.evaluate(static_cast<double>(i) / kStepsPerEdge, 0).point);
   }
+  // Bit for bit, which is how a closed line is told when drawn.
   if (crease.closed()) curve.points.back() = curve.points.front();
   return curve;
 }
@@ -248,6 +253,7 @@ void add_features(const surface::LimitSurface& surface, bool mirrored, LinesDraw
 
 // Lines beyond what the views show would only have rows in the table.
 void leave_out_beyond(LinesDrawing& drawing, double same) {
+  // A line that cuts the hull has its own curve in them, so only such as cut nothing are beyond.
   const HullExtents extents = hull_extents(drawing);
   const auto leave_out = [same](std::vector<NamedCurves>& family, double low, double high) {
     std::erase_if(family, [&](const NamedCurves& member) {
@@ -267,6 +273,7 @@ analysis::OffsetTable offsets_of(const surface::LimitSurface& surface, const Lin
     return all;
   };
   std::vector<double> buttocks = positions(drawing.buttocks);
+  // Before the others, where the table on the sheet expects it.
   buttocks.insert(buttocks.begin(), 0.0);  // for the heights of the profile
   return analysis::offset_table(surface, positions(drawing.stations), positions(drawing.waterlines),
                                 buttocks, mirrored);
@@ -280,6 +287,7 @@ LinesDrawing collect_lines(const surface::LimitSurface& surface, const LinesOpti
   check_spacing(options.frame_spacing, "frame spacing");
   check_spacing(options.station_spacing, "station spacing");
   if (options.frames) check_frames(*options.frames);
+  // On paper the hull is no larger than the sheet, whatever the scale will be.
   const double paper = std::max(options.paper.width, options.paper.height);
   const Cutter cutter(surface, options.tolerance.value_or(kPaperTolerance / paper * size),
                       options.splines, options.unit);
@@ -309,6 +317,7 @@ LinesDrawing collect_lines(const surface::LimitSurface& surface, const LinesOpti
   if (options.draft && !std::isfinite(*options.draft)) {
     throw std::invalid_argument("The draft is not a finite number");
   }
+  // Before anything is cut: the half that is drawn has to be there.
   const std::string missing = options.mirrored ? analysis::missing_port_side(surface, true) : "";
   if (!missing.empty()) throw std::invalid_argument(missing);
   drawing.stations = cutter.cut_all(analysis::Axis::kX, stations);
@@ -329,6 +338,7 @@ LinesDrawing collect_lines(const surface::LimitSurface& surface, const LinesOpti
     }
   }
   add_features(surface, options.mirrored, drawing);
+  // Before the table is made, which has a row or column for each line that is left.
   leave_out_beyond(drawing, same);
   if (options.offsets) drawing.offsets = offsets_of(surface, drawing, options.mirrored);
   return drawing;

@@ -38,6 +38,7 @@ std::vector<FrameMark> marks_of(const LinesDrawing& drawing, const HullExtents& 
   std::vector<FrameMark> marks;
   if (drawing.frames) {
     const PlanFrames& frames = *drawing.frames;
+    // A frame at the very end of the hull is one, though rounded.
     const double slack = 1e-6 * (extents.fore - extents.aft);
     for (std::size_t i = 0; i < frames.positions.size(); ++i) {
       const double x = frames.positions[i];
@@ -78,6 +79,7 @@ void draw_frame_scale(SheetBuilder& builder, const View& view, const GridBox& gr
   const long every = numbered_every(view.scale * least);
   const bool marks_all = view.scale * least >= kNearestMarks;
   for (const FrameMark& mark : marks_of(drawing, extents)) {
+    // Multiples, wherever the frames begin; of negative ones, abaft frame 0, too.
     const bool numbered = mark.number % every == 0;
     if (!numbered && !marks_all) continue;
     const double x = view.to_page(mark.x, 0.0).x();

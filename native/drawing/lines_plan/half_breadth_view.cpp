@@ -9,6 +9,7 @@ namespace {
 
 GridBox half_breadth_grid(const View& view, const HullExtents& extents) {
   GridBox grid(view.to_page(extents.aft, extents.breadth),
+               // Diagonals are below the centre line, where y is negative.
                view.to_page(extents.fore, -extents.diagonals));
   grid.min() -= Eigen::Vector2d::Constant(kOverhang);
   grid.max() += Eigen::Vector2d::Constant(kOverhang);
@@ -63,6 +64,8 @@ Placed draw_developed_diagonals(SheetBuilder& builder, const View& view,
   Placed diagonals;
   for (const NamedDiagonal& member : drawing.diagonals) {
     std::vector<PlacedCurve>& placed = diagonals.emplace_back();
+    // The distance along the plane is the half-breadth over the cosine of the angle, so one factor
+    // does for all points.
     const double stretch = expanded(member.diagonal, {0.0, 1.0, 0.0});
     const Projection flat = projection(view, {1.0, 0.0, 0.0}, {0.0, -stretch, 0.0});
     for (const ShipCurve& curve : member.curves) {

@@ -96,6 +96,7 @@ HullExtents hull_extents(const LinesDrawing& drawing) {
                       box.min().z(), box.max().z(), 0.5 * (box.min().x() + box.max().x()),
                       diagonals};
   const auto near = [](double value, double low, double high) {
+    // Far from the hull, a perpendicular or the base line would only make the hull small.
     const double reach = 0.25 * (high - low);
     return value > low - reach && value < high + reach;
   };

@@ -31,12 +31,14 @@ double label_column(const LinesDrawing& drawing) {
       width = std::max(width, 2.0 * box.half.x());
     }
   }
+  // A little more, for labels as wide as the column to be within the view though rounded.
   return width + 0.1;
 }
 
 void check_density(std::size_t count, double extent, const std::string& kind,
                    const LinesSheet& sheet, const LinesDrawing& drawing) {
   const double room = extent * sheet.profile.scale;
+  // One or two have no average distance to speak of.
   if (count < 3 || room / static_cast<double>(count) >= kNearestLines) return;
   std::string message = std::to_string(count) + " " + kind;
   message += " would run together at " + scale_text(sheet.scale_denominator);

@@ -18,6 +18,7 @@ constexpr double kGap = 4.0;  // least distance of two blocks
 // shared evenly among the gaps between and at both ends.
 std::vector<double> spread(double low, double high, const std::vector<double>& lengths) {
   const double taken = std::accumulate(lengths.begin(), lengths.end(), 0.0);
+  // Negative where there is too little room: then the blocks overlap, and fits() refuses.
   const double gap = (high - low - taken) / static_cast<double>(lengths.size() + 1);
   std::vector<double> starts;
   double at = low + gap;
@@ -47,6 +48,8 @@ bool fits(const PlanBlocks& blocks, const PlanCorners& corners, const AlignedBox
     if (!inside.contains(box)) return false;
   }
   boxes.push_back(title_block);
+  // Grown by half the gap each, boxes are apart by the gap where they do not meet. Touching ones
+  // would intersect, so a rounding less.
   const Vector2d half_gap = Vector2d::Constant(0.5 * kGap - kRounding);
   for (AlignedBox2d& box : boxes) box = AlignedBox2d(box.min() - half_gap, box.max() + half_gap);
   for (std::size_t i = 0; i < boxes.size(); ++i) {
@@ -70,6 +73,7 @@ PlanCorners side_by_side(const PlanBlocks& blocks, const AlignedBox2d& area,
   const std::vector<double> columns =
       spread(area.min().x(), area.max().x(), {left_width, right_width});
 
+  // Profile and body plan begin in one row, so that they share the base line.
   std::vector<double> heights = {blocks.profile.y(), blocks.half_breadth.y()};
   if (left_table) heights.push_back(blocks.table->y());
   const std::vector<double> rows = spread(area.min().y(), area.max().y(), heights);
@@ -82,6 +86,7 @@ PlanCorners side_by_side(const PlanBlocks& blocks, const AlignedBox2d& area,
     corners.table = {columns[0] + 0.5 * (left_width - blocks.table->x()), rows[2]};
   }
   if (right_table) {
+    // Between the body plan and the title block.
     const double low = rows[0] + blocks.body_plan.y();
     corners.table = {columns[1] + 0.5 * (right_width - blocks.table->x()),
                      centred(low, title.min().y(), blocks.table->y())};
@@ -120,6 +125,7 @@ PlanCorners stacked(const PlanBlocks& blocks, const AlignedBox2d& area, const Al
 
 std::optional<PlanCorners> arrange_plan(const PlanBlocks& blocks, const AlignedBox2d& area,
                                         const AlignedBox2d& title) {
+  // The order is that of preference: the first that fits is taken.
   const std::vector<PlanCorners> proposals = {
       side_by_side(blocks, area, title, true), side_by_side(blocks, area, title, false),
       stacked(blocks, area, title, false), stacked(blocks, area, title, true)};

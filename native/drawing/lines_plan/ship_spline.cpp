@@ -18,6 +18,8 @@ constexpr int kHalvings = 60;
 // algorithm with another argument in each round.
 Vector3d blossom(const surface::CubicSpline& spline, double t, const double* arguments) {
   const auto& knots = spline.knots();
+  // The span that holds t; at the very end the last one, as the search leaves out the last four
+  // knots.
   const auto span = std::upper_bound(knots.begin() + 4, knots.end() - 4, t) - knots.begin() - 1;
   const double* k = &knots[span - 2];
   const Vector3d* p = &spline.points()[span - 3];
@@ -46,6 +48,7 @@ double bisected(const surface::CubicSpline& spline, int axis, double limit, doub
 
 surface::CubicSpline part_of_spline(const surface::CubicSpline& spline, double from, double to) {
   assert(spline.begin() <= from && from < to && to <= spline.end());
+  // Fourfold, so that the part ends in its first and last control points.
   std::vector<double> knots(4, from);
   for (const double knot : spline.knots()) {
     if (from < knot && knot < to) knots.push_back(knot);
@@ -59,6 +62,7 @@ surface::CubicSpline part_of_spline(const surface::CubicSpline& spline, double f
       span = wanted;
       if (knots[span] < knots[span + 1]) break;
     }
+    // A control point is the blossom at the three knots after its first one (polar forms).
     points.push_back(blossom(spline, 0.5 * (knots[span] + knots[span + 1]), &knots[i + 1]));
   }
   return surface::CubicSpline(std::move(points), std::move(knots));
@@ -78,6 +82,7 @@ std::vector<double> crossings_of_spline(const surface::CubicSpline& spline, int 
                            ? knots[span + 1]
                            : knots[span] + share * (knots[span + 1] - knots[span]);
       const bool now = spline.evaluate(t, 0).point[axis] >= limit;
+      // One that only touches the limit keeps its side and is no crossing.
       if (now != above) found.push_back(bisected(spline, axis, limit, previous, t, above));
       above = now;
       previous = t;

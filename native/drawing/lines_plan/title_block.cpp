@@ -62,6 +62,7 @@ void draw_table(SheetBuilder& builder, const AlignedBox2d& box,
     // The value is what the row is for: it gets its room first.
     const FittedText value = fit_text(particulars[i].value, kLabelSize, false, 0.6 * width);
     const double taken = text_size(value.text, value.size, false).width;
+    // The same as measured: put() fits the text anew.
     put(builder, particulars[i].value, {}, {right, y}, Align::kRight, 0.6 * width);
     put(builder, particulars[i].name, {.ink = inks::kGrey}, {left, y}, Align::kLeft,
         width - taken - 2.0);
@@ -70,6 +71,7 @@ void draw_table(SheetBuilder& builder, const AlignedBox2d& box,
 
 // The length of one of the bar's five parts: 1, 2 or 5 times a power of ten.
 double bar_part(double mm_per_unit) {
+  // In units of length, so that the numbers along the bar are round ones.
   const double most = kLongestBar / 5.0 / mm_per_unit;
   const double power = std::pow(10.0, std::floor(std::log10(most)));
   for (const double mantissa : {5.0, 2.0}) {
@@ -125,6 +127,7 @@ void draw_title_block(SheetBuilder& builder, const LinesSheet& sheet, const Line
   const AlignedBox2d& box = sheet.title_block;
   const double left = box.min().x(), right = box.max().x();
   const double top = box.min().y(), bottom = box.max().y();
+  // The other two sides are the sheet's frame.
   builder.draw(pens::kFrame, {{left, bottom}, {left, top}, {right, top}});
   draw_heading(builder, box, sheet, drawing);
   double y = top + kTitleRow;

@@ -42,6 +42,7 @@ OrientedBox SheetBuilder::text_box(const std::string& text, const TextStyle& sty
   const TextSize size = text_size(without_controls(text), style.size, style.bold);
   const Vector2d half(0.5 * size.width, 0.5 * (size.ascent + size.descent));
   const Vector2d along(std::cos(angle), std::sin(angle));
+  // On the page y runs down, so this is below the text.
   const Vector2d down(-along.y(), along.x());
   const double shift = align == Align::kLeft ? half.x() : align == Align::kRight ? -half.x() : 0.0;
   // Letters that hang below the baseline do not lift the others: texts in a row stay in line.
@@ -59,6 +60,7 @@ void SheetBuilder::put_text(const std::string& text, const TextStyle& style,
 
 bool SheetBuilder::has_room(const OrientedBox& box, double clearance, const AlignedBox2d& bounds,
                             int own_curve) const {
+  // Without the clearance: a label may touch the bounds.
   for (const Vector2d& corner : box.corners()) {
     if (!bounds.contains(corner)) return false;
   }

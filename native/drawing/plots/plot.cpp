@@ -46,6 +46,8 @@ void check_curve(const PlotCurve& curve, const std::string& name, std::size_t ax
   }
   for (const std::vector<double>* values : {&curve.x, &curve.y}) {
     for (std::size_t i = 0; i < values->size(); ++i) {
+      // What is not finite interrupts a curve, and is well; what is too large would overflow in the
+      // scales.
       if (std::isfinite((*values)[i])) {
         check_number((*values)[i], "point " + std::to_string(i) + " of " + name);
       }

@@ -82,6 +82,7 @@ std::vector<LegendEntry> division_entries(const Plot& plot, const PlotFrame& fra
     if (signs.empty()) continue;
     LegendEntry entry = std::move(signs.back());
     signs.pop_back();
+    // The short sign is for those that share an entry.
     if (signs.empty()) entry.width = LegendEntry{}.width;
     entry.text += ": " + division_text(plot.x_axes[axis], frame.x_axes[axis]);
     entry.before = std::move(signs);
@@ -121,6 +122,7 @@ std::vector<LegendEntry> legend_entries(const Plot& plot, const PlotFrame& frame
   }
   for (const PlotBar& bar : plot.bars) {
     const AxisScale& scale = frame.x_axes[0];
+    // As long as on the diagram, to measure by.
     const double width = bar.length / (scale.high - scale.low) * frame.area.sizes().x();
     entries.push_back(
         {LegendSign::kBar, pens::kBaseline, bar.label, std::min(width, frame.area.sizes().x())});
@@ -144,11 +146,15 @@ Measures measure(const Plot& plot, const AlignedBox2d& content) {
     const bool fits = axes_height(AxesKind::kRulers, plot) <= kMostRulersShare * height;
     measures.kind = fits ? AxesKind::kRulers : AxesKind::kDivisions;
   }
+  // The legend's height is not known yet: it is taken for one row. Only how many steps there are
+  // depends on it.
   frame.y_axis = y_scale(plot, height - axes_height(measures.kind, plot) - kLegendRow);
   const double left = content.min().x() + kAxisNameRow + number_width(frame.y_axis) + 2.6;
   double right = content.max().x() - kRightOfFrame;
   frame.x_axes = x_scales(plot, right - left);
   if (measures.kind == AxesKind::kRulers) {
+    // The column beside the rulers has the units that follow from the scales; these are then made
+    // anew for the width that is left.
     const double column = ruler_column(plot, frame.x_axes);
     right = content.max().x() - std::min(column, kMostRulerColumn * content.sizes().x());
     frame.x_axes = x_scales(plot, right - left);

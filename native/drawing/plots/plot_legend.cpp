@@ -53,6 +53,7 @@ double widest_entry(std::span<const LegendEntry> entries, double share = 1.0) {
 // The widths of columns of so many rows, each as wide as its entries are at the least share.
 std::vector<double> own_widths(std::span<const LegendEntry> entries, int rows) {
   std::vector<double> widths;
+  // Entries run down the columns.
   for (std::size_t i = 0; i < entries.size(); i += rows) {
     const std::size_t count = std::min<std::size_t>(rows, entries.size() - i);
     widths.push_back(widest_entry(entries.subspan(i, count), kLeastShare));
@@ -85,6 +86,8 @@ void put(SheetBuilder& builder, const std::string& text, const Vector2d& place, 
 void draw_entry(SheetBuilder& builder, const LegendEntry& entry, Vector2d place, double width) {
   const double right = place.x() + width;
   const double texts = texts_width(entry);
+  // The signs keep their length; the texts share what is left. The divisor is never nothing, also
+  // of an entry without text.
   const double share = std::min(1.0, (width - signs_width(entry)) / std::max(texts, kTextSize));
   for (const LegendEntry& one : entry.before) {
     draw_sign(builder, one, place);
@@ -128,6 +131,7 @@ PlotLegend::PlotLegend(std::vector<LegendEntry> entries, double width, int most_
   const double widest = widest_entry(entries_);
   const int count = static_cast<int>(entries_.size());
   int columns = std::clamp(columns_of(widest, width), 1, count);
+  // Smaller texts in narrower columns only where the usual ones would take too many rows.
   if (columns * most_rows < count) {
     columns = std::clamp(columns_of(widest_entry(entries_, kLeastShare), width), columns, count);
   }
@@ -138,6 +142,7 @@ PlotLegend::PlotLegend(std::vector<LegendEntry> entries, double width, int most_
       if (!column_widths_.empty()) return;
     }
     rows_ = most_rows;
+    // The last place is for how many are left out.
     const std::size_t shown = static_cast<std::size_t>(rows_) * columns - 1;
     left_out_ = entries_.size() - shown;
     entries_.resize(shown);
@@ -145,6 +150,7 @@ PlotLegend::PlotLegend(std::vector<LegendEntry> entries, double width, int most_
     columns = (count + rows_ - 1) / rows_;  // as even as the rows allow
   }
   const double own =
+      // No wider than the widest entry needs: a short legend stays together at the left.
       columns > 1 ? std::min((width + kColumnSpace) / columns - kColumnSpace, widest + kColumnSpace)
                   : width;
   column_widths_.assign(columns, own);
