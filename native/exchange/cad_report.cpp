@@ -32,6 +32,7 @@ namespace {
 constexpr double kRead = 0.8;
 
 int count(const TopoDS_Shape& shape, TopAbs_ShapeEnum type) {
+  // Each once, though several shapes may share it.
   TopTools_IndexedMapOfShape found;
   TopExp::MapShapes(shape, type, found);
   return found.Extent();
@@ -78,10 +79,12 @@ Areas measure(const TopoDS_Shape& shape, CadReport& report) {
   conversion::SurfaceIntegrals sum;
   for (TopExp_Explorer face(shape, TopAbs_FACE); face.More(); face.Next()) {
     const conversion::SurfaceIntegrals own = integrals_of_face(TopoDS::Face(face.Current()));
+    // Layers are told per face, so that each is integrated once.
     areas.Bind(face.Current(), own.area);
     sum += own;
   }
   report.area = sum.area;
+  // Both were counted before.
   report.closed = report.faces > 0 && report.free_edges == 0;
   if (report.closed) report.volume = sum.volume;
   return areas;
@@ -94,6 +97,7 @@ Eigen::AlignedBox3d box_of(const TopoDS_Shape& shape) {
   TopTools_IndexedMapOfShape faces;
   TopExp::MapShapes(shape, TopAbs_FACE, faces);
   for (int f = 1; f <= faces.Extent(); ++f) {
+    // By the surface's own range, not the face's borders: of whole patches they are the same.
     const BRepAdaptor_Surface surface(TopoDS::Face(faces(f)), Standard_False);
     if (surface.GetType() != GeomAbs_BSplineSurface) continue;
     const double u0 = surface.FirstUParameter(), u1 = surface.LastUParameter();
@@ -154,6 +158,7 @@ CadReport read_cad_report(const std::string& path, const std::string& name,
     surface::tell(progress, 0.95, 1.0);
     report.solids = count(content.shape, TopAbs_SOLID);
     report.shells = count(content.shape, TopAbs_SHELL);
+    // Before measure(), which asks for it.
     report.faces = count(content.shape, TopAbs_FACE);
     count_edges(content.shape, report);
     const Areas areas = measure(content.shape, report);

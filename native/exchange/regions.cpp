@@ -12,6 +12,7 @@ namespace {
 
 std::string region_of(const conversion::BSplinePatch& patch, double tolerance, double aft) {
   Eigen::AlignedBox3d box;
+  // The patch lies within the hull of its control points, and is plane where these are.
   for (const Vector3d& point : patch.control_points) box.extend(point);
   const Vector3d extent = box.sizes();
   if (extent.y() <= tolerance) {
@@ -19,8 +20,10 @@ std::string region_of(const conversion::BSplinePatch& patch, double tolerance, d
   }
   if (extent.z() <= tolerance) {
     const surface::SurfaceJet middle = patch.evaluate(0.5, 0.5);
+    // Normals point into the water, so a bottom's points down.
     return middle.du.cross(middle.dv).z() < 0.0 ? "flat bottom" : "deck";
   }
+  // Other planes across the ship, as steps of a bottom, are shell.
   return extent.x() <= tolerance && box.min().x() <= aft + tolerance ? "transom" : "shell";
 }
 

@@ -24,8 +24,12 @@ std::string text_of(const Handle(TCollection_HAsciiString) & text) {
 }
 
 std::string unit_name(int flag) {
-  static const std::map<int, std::string> kNames = {
-      {1, "in"}, {2, "mm"}, {4, "ft"}, {6, "m"}, {10, "cm"}};
+  static const std::map<int, std::string> kNames = {// The flags of the global section.
+                                                    {1, "in"},
+                                                    {2, "mm"},
+                                                    {4, "ft"},
+                                                    {6, "m"},
+                                                    {10, "cm"}};
   const auto found = kNames.find(flag);
   return found != kNames.end() ? found->second : "";
 }
@@ -42,6 +46,7 @@ void find_layers_and_names(IGESControl_Reader& reader, CadContent& content) {
   const Handle(IGESData_IGESModel) model = reader.IGESModel();
   const Handle(Transfer_TransientProcess) process =
       reader.WS()->TransferReader()->TransientProcess();
+  // The entity with the name may come before or after the members.
   std::map<int, CadLayer> layers;  // by level
   for (int i = 1; i <= model->NbEntities(); ++i) {
     const Handle(IGESData_IGESEntity) entity = model->Entity(i);
@@ -59,6 +64,7 @@ void find_layers_and_names(IGESControl_Reader& reader, CadContent& content) {
     if (!shape.IsNull()) layer.members.push_back({shape, colour_of(entity)});
   }
   for (auto& [level, layer] : layers) {
+    // Files of others seldom name their levels.
     if (layer.name.empty()) layer.name = std::to_string(level);
     content.layers.push_back(std::move(layer));
   }
@@ -79,6 +85,7 @@ CadContent read_iges(const std::string& path, const std::string& refusal,
   const IGESData_GlobalSection& header = reader.IGESModel()->GlobalSection();
   CadContent content;
   content.shape = reader.OneShape();
+  // 11 is the version flag of 5.3.
   content.format = header.IGESVersion() == 11 ? "IGES 5.3" : "IGES";
   content.unit = unit_name(header.UnitFlag());
   content.product = text_of(header.SendName());

@@ -36,7 +36,12 @@ std::string unit_name(STEPControl_Reader& reader) {
   if (lengths.IsEmpty()) return "";
   const std::string name = lengths.First().ToCString();
   static const std::map<std::string, std::string> kNames = {
-      {"metre", "m"}, {"centimetre", "cm"}, {"millimetre", "mm"}, {"FOOT", "ft"}, {"INCH", "in"}};
+      // Units that are not SI have the name that the file gives them; Open CASCADE writes capitals.
+      {"metre", "m"},
+      {"centimetre", "cm"},
+      {"millimetre", "mm"},
+      {"FOOT", "ft"},
+      {"INCH", "in"}};
   const auto found = kNames.find(name);
   return found != kNames.end() ? found->second : "";
 }
@@ -45,6 +50,7 @@ std::string format_name(const Handle(StepData_StepModel) & model) {
   const APIHeaderSection_MakeHeader header(model);
   if (!header.HasFs() || header.NbSchemaIdentifiers() < 1) return "STEP";
   const std::string schema = header.SchemaIdentifiersValue(1)->ToCString();
+  // The name of AP214's schema.
   if (schema.starts_with("AUTOMOTIVE_DESIGN")) return "STEP AP214";
   return schema.starts_with("AP242") ? "STEP AP242" : "STEP";
 }

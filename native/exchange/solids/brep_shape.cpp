@@ -78,6 +78,7 @@ class ShapeMaker {
       result.faces.push_back(cap.patch ? make_ruled_face(cap) : make_plane_face(cap));
     }
     for (std::size_t e = 0; e < edges_.size(); ++e) {
+      // Without an object are edges that no face uses, and those of no length.
       if (edges_[e].edge.IsNull() || faces_of_[e] != 1) continue;
       ++result.free_edges;
       result.at_free_edge = middle_of(edges_[e].edge);
@@ -135,9 +136,12 @@ class ShapeMaker {
   // The edge as an object, made from the curve where it is first met. One face more has it.
   MadeEdge& made(int number, const conversion::BSplineCurve& curve, int from, int to) {
     MadeEdge& result = edges_[number];
+    // The second face takes the curve of the first: what little they differ by is within the
+    // tolerance.
     if (result.edge.IsNull()) {
       builder_.MakeEdge(result.edge, make_curve(curve), kTolerance);
       add_ends(result.edge, vertex(from, curve.points.front()), vertex(to, curve.points.back()));
+      // Also of its lines in (u, v), which have the curve's parameter.
       builder_.Range(result.edge, 0.0, kParameterRange);
     }
     ++faces_of_[number];
@@ -171,6 +175,7 @@ class ShapeMaker {
         builder_.Add(wire, side_edge(p, k, part, face));
       }
     }
+    // The builder does not find that out itself.
     wire.Closed(true);
     builder_.Add(face, wire);
     return face;
@@ -185,6 +190,8 @@ class ShapeMaker {
     }
     const bool first = edges_[part.edge].edge.IsNull();
     MadeEdge& edge = made(part.edge, set_.curve(p, k, part), part.from, part.to);
+    // Neighbours run along their edge in opposite directions: the second one's line is turned, to
+    // go as the curve does.
     const Handle(Geom2d_BSplineCurve) line = make_curve(side_line(k, part, !first));
     if (first) {
       edge.side = line;

@@ -55,6 +55,7 @@ class StepText {
     add_curves();
     set_names();
     surface::tell(progress_, 0.6, 1.0);
+    // Points are compared last: as text, without spaces, and with their names in it.
     return with_shared_points(short_step(texts_.filled(printed())));
   }
 
@@ -79,6 +80,7 @@ class StepText {
     std::map<std::string, std::vector<Item>> regions;
     StepColours colours;
     for (std::size_t f = 0; f < model_.brep.faces.size(); ++f) {
+      // The entity that the transfer made of this very face object.
       const Item item = item_of(model_.brep.faces[f]);
       if (item.IsNull()) continue;  // the file read back will show it
       const std::string& region = model_.regions[f];

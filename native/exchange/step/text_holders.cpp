@@ -27,6 +27,8 @@ std::string TextHolders::filled(const std::string& text) const {
   std::size_t done = 0;
   for (std::size_t at = text.find(kPrefix); at != text.npos; at = text.find(kPrefix, done)) {
     result.append(text, done, at - done);
+    // Always as many digits, so that a text's own digits after it are not taken for more of the
+    // number.
     const std::string digits = text.substr(at + kPrefixLength, kNumberLength);
     result += texts_[static_cast<std::size_t>(std::atoi(digits.c_str()))];
     done = at + kPrefixLength + kNumberLength;
