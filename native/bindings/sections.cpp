@@ -27,6 +27,7 @@ std::vector<analysis::SectionCurve> section_across(const surface::LimitSurface& 
   const analysis::Plane plane =
       py::isinstance<py::str>(axis)
           ? analysis::plane_across(axis_from(py::cast<std::string>(axis)), position)
+          // Of unit length first, so that the position is in metres whatever length was given.
           : plane_from(point_from(DoubleArray(axis), "axis").normalized(), position, "axis");
   const analysis::SectionOptions options = options_from(surface, chord_tolerance, flat_tolerance);
   const py::gil_scoped_release release;
@@ -51,6 +52,7 @@ std::vector<StretchArrays> stretches_of(const analysis::SectionCurve& curve) {
     arrays.points = part(curve.points);
     arrays.tangents = part(curve.tangents);
     arrays.curvatures = part(curve.curvatures);
+    // At a knuckle the curve has the tangent before it; the stretch needs the one after.
     arrays.tangents.front() = s.first_tangent;
     arrays.curvatures.front() = s.first_curvature;
   }
