@@ -29,6 +29,7 @@ constexpr double kSameColour = 1e-6;
 // Shares of the time that the steps take, about.
 constexpr double kModelDone = 0.05, kTextDone = 0.3;
 
+// "3 of 4 faces".
 std::string of(int have, int want, const std::string& what) {
   return std::to_string(have) + " of " + std::to_string(want) + " " + what;
 }
@@ -102,6 +103,7 @@ std::string difference(const CadModel& model, const CadOptions& options, const C
   // By the area times the size, for the volume of a thin shell may be nearly nothing.
   if (found.closed && !(std::abs(*found.volume - model.integrals.volume) <=
                         kIntegralTolerance * area * model.size)) {
+    // With the sign of the other, all faces point the other way.
     return *found.volume * model.integrals.volume < 0.0 ? "a solid turned inside out"
                                                         : "another volume";
   }
@@ -131,6 +133,7 @@ class FileWriter {
       // Once: every face is tried for the first one, so that another time would find no other.
       if (has_turned_solid(model_, report)) {
         in_session([&] { model_.brep.shape = with_telling_first_faces(model_.brep.shape); });
+        // What was written to the first one is gone with it.
         file_ = make_file();
         report = written_and_read();
       }

@@ -55,6 +55,7 @@ std::vector<std::string> regions_of(const conversion::PatchSet& all,
                                     const conversion::PatchSet& kept,
                                     const std::vector<bool>& is_kept,
                                     const std::vector<std::string>& given) {
+  // By the patches that are left, so nothing has to be picked.
   if (given.empty()) return find_regions(kept);
   if (given.size() != all.patches.size()) {
     throw std::invalid_argument("regions must be one for each of the " +
@@ -80,6 +81,7 @@ void check_curve(const CadCurve& curve) {
         "there must be degree + 1 knots more than control points, and at least degree + 1 of "
         "these.");
   }
+  // Not strictly: knots may be repeated.
   if (!std::ranges::is_sorted(c.knots) || !(c.knots.back() > c.knots.front())) {
     refuse("knots must ascend.");
   }
@@ -90,6 +92,7 @@ void check_curve(const CadCurve& curve) {
 
 std::vector<CadCurve> curves_of(const CadOptions& options, double size) {
   std::vector<CadCurve> curves;
+  // A copy, which is clamped and mirrored.
   for (CadCurve curve : options.curves) {
     check_curve(curve);
     curve.curve = conversion::clamped(curve.curve);
@@ -183,6 +186,7 @@ CadModel make_cad_model(const conversion::PatchSet& patches, const CadOptions& o
   const conversion::Closing closing =
       options.solid ? conversion::closing_of(set) : conversion::Closing{};
   model.brep = make_brep_shape(set, closing);
+  // Without a solid open shells are well, and told as such.
   if (options.solid) check_solid(model.brep);
   // In the order of the faces: patches, then caps.
   for (const conversion::Cap& cap : closing.caps) model.regions.push_back(region_of(cap.kind));

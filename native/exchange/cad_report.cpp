@@ -45,6 +45,7 @@ void count_edges(const TopoDS_Shape& shape, CadReport& report) {
   TopExp::MapShapesAndAncestors(shape, TopAbs_EDGE, TopAbs_FACE, faces);
   for (int i = 1; i <= faces.Extent(); ++i) {
     const TopoDS_Edge& edge = TopoDS::Edge(faces.FindKey(i));
+    // Edges without a curve, at collapsed sides: they border on nothing.
     if (BRep_Tool::Degenerated(edge)) continue;
     if (faces(i).IsEmpty()) {
       ++report.curves;
@@ -126,10 +127,12 @@ void find_layers(const std::vector<CadLayer>& layers, const Areas& areas, CadRep
   for (const CadLayer& layer : layers) {
     if (!std::ranges::count(report.layers, layer.name)) report.layers.push_back(layer.name);
     for (const CadLayer::Member& member : layer.members) {
+      // Curves have layers too, but make no region.
       if (member.shape.ShapeType() != TopAbs_FACE) continue;
       CadRegion& region = regions[layer.name];
       if (region.faces == 0) region.colour = member.colour;
       ++region.faces;
+      // None of a face that is in a layer, but not in the shape.
       if (const double* area = areas.Seek(member.shape)) region.area += *area;
     }
   }
@@ -166,6 +169,7 @@ CadReport read_cad_report(const std::string& path, const std::string& name,
     find_layers(content.layers, areas, report);
     surface::tell(progress, 1.0, 1.0);
     return report;
+    // Open CASCADE's exceptions derive from nothing that others catch.
   } catch (const Standard_Failure& failure) {
     throw files::FileError(refusal + describe(failure));
   }

@@ -35,6 +35,7 @@ namespace {
 using Entity = Handle(IGESData_IGESEntity);
 
 Handle(TCollection_HAsciiString) text_of(const std::string& utf8) {
+  // IGES is ASCII. With STEP's directives one reading serves for both formats.
   return new TCollection_HAsciiString(encode_step_string(utf8).c_str());
 }
 
@@ -62,6 +63,7 @@ class IgesText {
     }
     for (const CadCurve& curve : model_.curves) add_curve(curve);
     name_levels();
+    // After everything was added: it makes the model ready to be written.
     writer_.ComputeModel();
     set_header();
     surface::tell(progress_, 0.6, 1.0);

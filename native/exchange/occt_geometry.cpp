@@ -28,6 +28,7 @@ struct Knots {
     }
   }
   TColStd_Array1OfReal array() const {
+    // A view of the vector's memory, which these Knots have to outlive.
     return TColStd_Array1OfReal(values.front(), 1, static_cast<int>(values.size()));
   }
   TColStd_Array1OfInteger multiplicities() const {
@@ -90,6 +91,7 @@ conversion::BSplinePatch patch_of(const Geom_BSplineSurface& surface) {
   conversion::BSplinePatch patch;
   patch.degree_u = surface.UDegree();
   patch.degree_v = surface.VDegree();
+  // With repetitions, as a patch has them.
   patch.knots_u = unit_knots(surface.UKnotSequence());
   patch.knots_v = unit_knots(surface.VKnotSequence());
   patch.count_u = surface.NbUPoles();

@@ -32,6 +32,7 @@ std::string region_of(const conversion::BSplinePatch& patch, double tolerance, d
 std::vector<std::string> find_regions(const conversion::PatchSet& set) {
   double aft = std::numeric_limits<double>::infinity();
   for (const conversion::BSplinePatch& patch : set.patches) {
+    // Of all patches, before any is looked at: a transom is told by how far aft the others are.
     for (const Vector3d& point : patch.control_points) aft = std::min(aft, point.x());
   }
   const double tolerance = kInPlane * set.size();

@@ -62,6 +62,7 @@ double numbering_of(const std::vector<double>& stations, const std::optional<dou
   for (std::size_t i = 2; i < stations.size(); ++i) {
     smallest = std::min(smallest, stations[i] - stations[i - 1]);
   }
+  // Within a thousandth of a spacing of a whole number.
   const auto fits = [smallest](double x) { return off_grid(x, smallest) < 1e-3; };
   return std::all_of(stations.begin(), stations.end(), fits) ? smallest : 0.0;
 }
@@ -181,6 +182,7 @@ class Cutter {
     } else {
       for (analysis::SectionCurve& branch : analysis::section(
                surface_, plane, analysis::SectionOptions{tolerance_, kInSection * size_})) {
+        // A branch as a whole, over its knuckles: on paper they are points like others.
         curves.push_back({std::move(branch.points), std::nullopt});
       }
     }
@@ -226,6 +228,7 @@ std::vector<NamedDiagonal> cut_diagonals(const Cutter& cutter,
     std::string label = "D" + std::to_string(named.size() + 1);
     named.push_back({diagonal, std::move(label), cutter.cut(diagonal)});
   }
+  // After they were named: a diagonal keeps its number though one before it does not meet the hull.
   std::erase_if(named, [](const NamedDiagonal& member) { return member.curves.empty(); });
   return named;
 }
@@ -247,6 +250,7 @@ void add_features(const surface::LimitSurface& surface, bool mirrored, LinesDraw
   const double slack = (mirrored ? kAtCentreLine : kSamePosition) * surface.mesh().size();
   for (const surface::CreaseCurve& crease : surface::crease_curves(surface)) {
     const bool border = crease.kind() == surface::CreaseKind::kBorder;
+    // Nothing is cut: a crease's own spline is the surface's curve, but for darts.
     add_port_half(border ? drawing.outlines : drawing.knuckles, ship_curve(crease), slack);
   }
 }
@@ -322,6 +326,7 @@ LinesDrawing collect_lines(const surface::LimitSurface& surface, const LinesOpti
   if (!missing.empty()) throw std::invalid_argument(missing);
   drawing.stations = cutter.cut_all(analysis::Axis::kX, stations);
   number_stations(drawing.stations, numbering_of(stations, options.station_spacing));
+  // Numbers that were given before are replaced; frames are checked by then.
   if (options.frames && options.in_frames) {
     for (NamedCurves& station : drawing.stations) {
       station.label = frame_name(station.position, *options.frames);

@@ -18,6 +18,7 @@ constexpr double kNearestNumbers = 9.0;  // mm, wider than any number
 constexpr double kMarkNumberSize = 2.2;
 
 // Every so many frames have a number.
+// 1, 2 or 5 times a power of ten.
 long numbered_every(double mm_per_frame) {
   for (long power = 1; power < 1000000; power *= 10) {
     for (const long step : {1, 2, 5}) {
@@ -48,6 +49,7 @@ std::vector<FrameMark> marks_of(const LinesDrawing& drawing, const HullExtents& 
     return marks;
   }
   const double spacing = *drawing.frame_spacing;
+  // Frame 0 is at x = 0, whatever the hull's after end is; a frame at an end counts though rounded.
   const long first = std::lround(std::ceil(extents.aft / spacing - 1e-6));
   const long last = std::lround(std::floor(extents.fore / spacing + 1e-6));
   for (long frame = first; frame <= last; ++frame) {

@@ -84,6 +84,7 @@ void draw_half_breadth(SheetBuilder& builder, const View& view, const LinesDrawi
   draw_caption(builder, view,
                has_diagonals ? "Half-breadth plan, diagonals expanded" : "Half-breadth plan");
   draw_grid(builder, view, grid, drawing, extents);
+  // Their names stand above the profile, with which this view is in line.
   draw_perpendiculars(builder, view, grid, drawing, extents, false);
 
   const Projection top = projection(view, {1.0, 0.0, 0.0}, {0.0, 1.0, 0.0});
@@ -93,6 +94,7 @@ void draw_half_breadth(SheetBuilder& builder, const View& view, const LinesDrawi
   const Placed diagonals = draw_developed_diagonals(builder, view, drawing);
 
   const double length = extents.fore - extents.aft;
+  // In the ends, where the lines are apart; forward first.
   const std::vector<double> wanted = {view.to_page(extents.aft + 0.85 * length, 0.0).x(),
                                       view.to_page(extents.aft + 0.15 * length, 0.0).x()};
   for (std::size_t i = 0; i < waterlines.size(); ++i) {

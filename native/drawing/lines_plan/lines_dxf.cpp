@@ -48,6 +48,7 @@ std::string without_dashes(const std::string& text) {
   for (std::size_t i = 0; i < text.size(); ++i) {
     const bool is_dash = text.compare(i, dash.size(), dash) == 0;
     plain += is_dash ? '-' : text[i];
+    // In UTF-8 it is several bytes.
     if (is_dash) i += dash.size() - 1;
   }
   return plain;
@@ -65,6 +66,7 @@ class Converter {
   dxf::DxfDrawing convert(const LinesSheet& sheet) && {
     for (const Stroke& stroke : sheet.strokes) add(stroke);
     for (const Fill& patch : sheet.patches) add(patch);
+    // All words are on one layer, whatever ink they have on paper.
     const int text_layer = layer({0.18, {0.0, 0.0, 0.0}, {}, kTextLayer});
     for (const Label& label : sheet.labels) add(label, text_layer);
     return std::move(drawing_);

@@ -95,6 +95,7 @@ class Measures {
     const auto width = [this](const std::string& text, bool bold = false) {
       return text_size(text, size, bold).width + 2.0 * kCellPadding;
     };
+    // Every cell has room for the mark, so that numbers end in one line with it or without.
     mark = text_size(kKnuckleMark, 0.75 * size, false).width;
     station_head = width("St.", true);
     for (const NamedCurves& station : drawing.stations) {
@@ -188,6 +189,7 @@ class BlockDrawer {
     };
     for (std::size_t i = 0; i < drawing_.stations.size(); ++i) {
       text(drawing_.stations[i].label, true, {cell_end(i), top + 0.5 * m_.row}, Align::kRight);
+      // The first line parts heads from numbers.
       vertical(i == 0 ? pens::kTable : pens::kGrid, first + static_cast<double>(i) * m_.cell, top,
                bottom);
     }
@@ -223,6 +225,7 @@ class BlockDrawer {
 
   // The number ends at `end`; the mark of a knuckle follows.
   void value(const OffsetLine& line, std::size_t i, const Vector2d& end) {
+    // Numbers of one column have their last digits in line.
     text(line.values[i], false, end, Align::kRight);
     if (!line.on_knuckle[i]) return;
     const TextStyle style{.size = 0.75 * m_.size};
@@ -248,6 +251,7 @@ class BlockDrawer {
 }  // namespace
 
 std::vector<Vector2d> offsets_block_sizes(const LinesDrawing& drawing) {
+  // Also where all stations were left out, as lying beyond the hull.
   if (!drawing.offsets || drawing.stations.empty()) return {};
   const std::vector<OffsetGroup> groups = groups_of(drawing);
   if (groups.empty()) return {};

@@ -47,6 +47,7 @@ bool fits(const PlanBlocks& blocks, const PlanCorners& corners, const AlignedBox
   for (const AlignedBox2d& box : boxes) {
     if (!inside.contains(box)) return false;
   }
+  // Only now: it touches the frame, so it is not within the area.
   boxes.push_back(title_block);
   // Grown by half the gap each, boxes are apart by the gap where they do not meet. Touching ones
   // would intersect, so a rounding less.
@@ -66,6 +67,7 @@ PlanCorners side_by_side(const PlanBlocks& blocks, const AlignedBox2d& area,
                          const AlignedBox2d& title, bool table_to_the_right) {
   const bool right_table = blocks.table && table_to_the_right;
   const bool left_table = blocks.table && !table_to_the_right;
+  // The title block is in the right column too.
   double right_width = std::max(blocks.body_plan.x(), area.max().x() - title.min().x());
   double left_width = blocks.profile.x();
   if (right_table) right_width = std::max(right_width, blocks.table->x());
@@ -103,6 +105,7 @@ PlanCorners stacked(const PlanBlocks& blocks, const AlignedBox2d& area, const Al
              {blocks.profile.y(), blocks.half_breadth.y(), blocks.body_plan.y()});
   const double left = centred(area.min().x(), area.max().x(), blocks.profile.x());
   PlanCorners corners{{left, rows[0]}, {left, rows[1]}, Vector2d::Zero(), Vector2d::Zero()};
+  // The body plan is below this, and beside it the table.
   const double views_end = rows[1] + blocks.half_breadth.y();
   if (!blocks.table || table_above_title) {
     double right_start = title.min().x();

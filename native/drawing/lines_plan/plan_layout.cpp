@@ -53,6 +53,7 @@ ViewSizes view_sizes(const PlanNeeds& needs, double scale) {
       {length, depth, {side, side, head, profile_foot}},
       {length, breadth + scale * extents.diagonals, {side, side, kCaptionRow + kOverhang, foot}},
       {2.0 * breadth, depth, {body_side, body_side, head, profile_foot}}};
+  // Without any size it keeps its place in the arrangements.
   if (!needs.views.profile) sizes.profile = none;
   if (!needs.views.half_breadth) sizes.half_breadth = none;
   if (!needs.views.body_plan) sizes.body_plan = none;
@@ -107,6 +108,7 @@ bool place_all(LinesSheet& sheet, const PlanNeeds& needs, double denominator) {
   }
   if (!corners) return false;
   sheet.scale_denominator = denominator;
+  // Empty without one, by which the drawing knows.
   if (blocks.table) sheet.table = AlignedBox2d(corners->table, corners->table + *blocks.table);
   const HullExtents& extents = needs.extents;
   sheet.profile = place(sizes.profile, corners->profile, scale, extents.aft, extents.bottom);

@@ -19,6 +19,7 @@ std::string in_feet_inches_eighths(double metres) {
   // No sign before nothing.
   std::string text = metres < 0.0 && count != 0 ? "-" : "";
   text += std::to_string(count / kSixteenths) + "-" + std::to_string(count % kSixteenths / 16);
+  // Eighths; an odd sixteenth is the plus.
   text += "-" + std::to_string(sixteenths / 2);
   return sixteenths % 2 == 0 ? text : text + "+";
 }

@@ -36,6 +36,7 @@ Vector3d blossom(const surface::CubicSpline& spline, double t, const double* arg
 
 double bisected(const surface::CubicSpline& spline, int axis, double limit, double low, double high,
                 bool above_at_low) {
+  // To the last bit of a double, as parts end exactly at the limit.
   for (int i = 0; i < kHalvings; ++i) {
     const double middle = 0.5 * (low + high);
     const bool above = spline.evaluate(middle, 0).point[axis] >= limit;
@@ -78,6 +79,7 @@ std::vector<double> crossings_of_spline(const surface::CubicSpline& spline, int 
     if (!(knots[span] < knots[span + 1])) continue;
     for (int step = 1; step <= kStepsPerSpan; ++step) {
       const double share = static_cast<double>(step) / kStepsPerSpan;
+      // The knot itself, so that spans join without a gap by rounding.
       const double t = step == kStepsPerSpan
                            ? knots[span + 1]
                            : knots[span] + share * (knots[span + 1] - knots[span]);

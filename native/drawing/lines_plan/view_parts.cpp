@@ -44,6 +44,7 @@ Vector2d point_at(const PagePath& path, const std::vector<double>& lengths, doub
   // be there twice.
   const auto upper = std::upper_bound(lengths.begin(), lengths.end(), length);
   if (upper == lengths.begin()) return path.front();
+  // At the very end, or beyond it by rounding.
   if (upper == lengths.end()) return path.back();
   const auto i = upper - lengths.begin();
   const double t = (length - lengths[i - 1]) / (lengths[i] - lengths[i - 1]);
@@ -109,6 +110,7 @@ PlacedCurve draw_ship_curve(SheetBuilder& builder, const Pen& pen, const Project
   };
   PagePath path = on_page(curve.points);
   std::optional<PageSpline> spline;
+  // An affine map, which takes a spline's control points along with the curve.
   if (curve.spline) spline = PageSpline{on_page(curve.spline->points()), curve.spline->knots()};
   const int number = builder.draw_curve(pen, path, std::move(spline));
   return {std::move(path), number};
@@ -182,6 +184,7 @@ void label_on_curve(SheetBuilder& builder, const View& view, const std::vector<P
     std::stable_sort(slots.begin(), slots.end(), [x](const Slot& a, const Slot& b) {
       return std::abs(a.centre.x() - x) < std::abs(b.centre.x() - x);
     });
+    // Farther away the next place that is wanted is tried instead.
     const double reach = 0.25 * view.bounds.sizes().x();
     for (const Slot& slot : slots) {
       // Sorted by distance: those that follow are farther yet.
@@ -219,6 +222,7 @@ void draw_heights(SheetBuilder& builder, const View& view, const GridBox& grid,
   const auto within = [&](double z) { return z >= bottom && z <= top; };
   for (const NamedCurves& waterline : drawing.waterlines) {
     if (!within(waterline.position)) continue;
+    // Heavier, and named before its neighbours where there is not room for all.
     const bool design = is_design_waterline(drawing, waterline);
     const double y = view.to_page(0.0, waterline.position).y();
     draw_horizontal(builder, design ? pens::kDesignWaterline : pens::kGrid, grid, y);

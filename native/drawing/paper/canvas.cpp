@@ -22,6 +22,7 @@ using Eigen::Vector2d;
 
 namespace {
 
+// Points of 1/72 inch are what PDF and SVG count in.
 constexpr double kPointsPerMm = 72.0 / 25.4;
 constexpr double kDotsPerMm = 8.0;
 constexpr double kMostDots = 5000.0;
@@ -112,6 +113,7 @@ void draw_stroke(cairo_t* context, const Stroke& stroke) {
   set_colour(context, stroke.pen.colour);
   cairo_set_line_width(context, stroke.pen.width);
   const Dashes& dashes = stroke.pen.dashes;
+  // A pattern of zeros alone is an error, which a context keeps for good.
   cairo_set_dash(context, dashes.data(), is_dashed(dashes) ? kDashCount : 0, 0.0);
   const bool closed = stroke.points.size() > 2 && stroke.points.front() == stroke.points.back();
   cairo_new_path(context);
@@ -131,6 +133,7 @@ void draw_fill(cairo_t* context, const Fill& fill) {
 void draw_label(cairo_t* context, const Label& label) {
   if (label.knockout) {
     cairo_set_source_rgb(context, 1.0, 1.0, 1.0);
+    // A little more than the text, so that the curve ends clear of its letters.
     add_polygon(context, label.box.grown(0.25).corners());
     cairo_fill(context);
   }
@@ -174,6 +177,7 @@ void draw_picture(cairo_t* context, const Picture& picture) {
 
 void draw_sheet(cairo_t* context, const Sheet& sheet) {
   cairo_set_source_rgb(context, 1.0, 1.0, 1.0);
+  // PDF's and SVG's pages would else be transparent.
   cairo_paint(context);
   // Mitres of curves with sharp bends would be spikes.
   cairo_set_line_join(context, CAIRO_LINE_JOIN_ROUND);
@@ -203,9 +207,11 @@ void write_sheet(const Sheet& sheet, const std::string& path) {
     cairo_show_page(context.get());
     check(cairo_status(context.get()), path);
   }
+  // An image is only dots in memory: it is made a file when all is drawn.
   if (kind == FileKind::kPng) {
     check(cairo_surface_write_to_png_stream(surface.get(), append_bytes, &bytes), path);
   }
+  // PDF and SVG are complete only now, so the status that counts is the one after.
   cairo_surface_finish(surface.get());
   check(cairo_surface_status(surface.get()), path);
   files::write_file_atomically(path, bytes);

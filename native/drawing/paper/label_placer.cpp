@@ -47,6 +47,7 @@ bool LabelPlacer::is_free(const OrientedBox& box, int own_curve) const {
   for (const OrientedBox& other : boxes_) {
     if (may_overlap(box, other) && overlap(box, other)) return false;
   }
+  // Upright boxes are told apart at once, also where the label is turned.
   const AlignedBox2d bounds = bounds_of(box);
   for (int i = 0; i < static_cast<int>(curves_.size()); ++i) {
     if (i == own_curve || !curves_[i].bounds.intersects(bounds)) continue;

@@ -32,6 +32,7 @@ void SheetBuilder::draw(const Pen& pen, PagePath points) {
 }
 
 int SheetBuilder::draw_curve(const Pen& pen, PagePath points, std::optional<PageSpline> spline) {
+  // Numbered also where nothing is drawn: numbers of curves and of obstacles stay the same.
   const int number = placer_.add_curve(points);
   if (points.size() > 1) sheet_.strokes.push_back({pen, std::move(points), std::move(spline)});
   return number;
@@ -52,6 +53,7 @@ OrientedBox SheetBuilder::text_box(const std::string& text, const TextStyle& sty
 void SheetBuilder::put_text(const std::string& text, const TextStyle& style,
                             const OrientedBox& box) {
   if (text.empty()) return;
+  // Whatever comes later keeps clear of it.
   placer_.add_box(box);
   const std::string shown = without_controls(text);
   const double descent = text_size(shown, style.size, style.bold).descent;

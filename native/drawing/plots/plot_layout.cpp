@@ -85,6 +85,7 @@ std::vector<LegendEntry> division_entries(const Plot& plot, const PlotFrame& fra
     // The short sign is for those that share an entry.
     if (signs.empty()) entry.width = LegendEntry{}.width;
     entry.text += ": " + division_text(plot.x_axes[axis], frame.x_axes[axis]);
+    // The last curve carries the text that holds for all of them.
     entry.before = std::move(signs);
     entries.push_back(std::move(entry));
   }
@@ -174,6 +175,7 @@ std::vector<PlottedCurve> draw_curves(SheetBuilder& builder, const Plot& plot,
     for (const PagePath& path : plotted.paths) {
       if (path.size() == 1) {
         builder.fill(pen.colour, dot_outline(path.front()));
+        // As an obstacle a dot is a little larger than it is drawn.
         builder.occupy({path.front(), Vector2d::Constant(1.0)});
         plotted.numbers.push_back(LabelPlacer::kNoCurve);
       } else {
@@ -221,6 +223,7 @@ Attempt attempt(const Plot& plot, const PlotPage& page, const Unlabelled& unlabe
   draw_y_axis(builder, plot, frame, content.min().x());
   draw_x_axes(builder, plot, frame, kind, content.max().x());
   legend.draw(builder, {content.min().x(), content.max().y() - legend.height()});
+  // Curves first, then marks, then symbols: each avoids what is there, and curves can't give way.
   const std::vector<PlottedCurve> curves = draw_curves(builder, plot, frame);
   const Unlabelled left = draw_marks(builder, plot, frame, unlabelled);
   draw_symbols(builder, plot, frame, curves);
@@ -231,6 +234,7 @@ Attempt attempt(const Plot& plot, const PlotPage& page, const Unlabelled& unlabe
 
 void check_page(const PlotPage& page) {
   for (const double side : {page.width, page.height}) {
+    // Written so that what is no number fails too.
     const double room = side - 2.0 * page.margin;
     if (!(page.margin >= 0.0) || !(room >= kLeastPlotSide) || !(side <= kGreatestPlotSide)) {
       throw std::invalid_argument("A plot cannot be laid out on " + number_text(page.width) +

@@ -40,6 +40,7 @@ double texts_width(const LegendEntry& entry) {
 }
 
 // share: of the texts' usual size.
+// Signs are as long as they are; only texts are made smaller.
 double entry_width(const LegendEntry& entry, double share = 1.0) {
   return signs_width(entry) + share * texts_width(entry);
 }
@@ -71,6 +72,7 @@ std::vector<double> fitted_widths(std::span<const LegendEntry> entries, int rows
   return widths;
 }
 
+// With one gap more on both sides of the division, as n columns have n - 1 gaps.
 int columns_of(double column_width, double width) {
   return static_cast<int>((width + kColumnSpace) / (column_width + kColumnSpace));
 }

@@ -34,6 +34,7 @@ Ink ink_of(const Plot& plot, const PlotMarker& marker) {
 OrientedBox box_beside(const std::string& text, const TextStyle& style, const Vector2d& point,
                        const Vector2d& direction, double distance) {
   OrientedBox box = SheetBuilder::text_box(text, style, point);
+  // Along an axis the middle of the box's side comes nearest, along a diagonal its corner.
   box.centre += Vector2d(direction.x() * (box.half.x() + distance),
                          direction.y() * (box.half.y() + distance));
   return box;
@@ -124,6 +125,7 @@ bool put_symbol(SheetBuilder& builder, const std::string& text, const TextStyle&
       return true;
     }
     const Vector2d normal(-point.along.y(), point.along.x());
+    // Then beside it, on either hand.
     for (const double side : {1.0, -1.0}) {
       const OrientedBox beside = box_beside(text, style, point.at, side * normal, 0.9);
       if (builder.has_room(beside, 0.3, bounds)) {
@@ -158,6 +160,7 @@ Unlabelled draw_marks(SheetBuilder& builder, const Plot& plot, const PlotFrame& 
     const PlotLine& line = plot.lines[i];
     const AxisScale& scale = line.vertical ? frame.x_axes[0] : frame.y_axis;
     if (line.at < scale.low || line.at > scale.high) {
+      // Out of sight, but not unknown.
       without.lines.insert(i);
       continue;
     }

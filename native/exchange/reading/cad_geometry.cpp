@@ -64,6 +64,7 @@ Handle(Geom_BSplineCurve) spline_of(const TopoDS_Edge& edge) {
   if (curve.IsNull() || Precision::IsInfinite(begin) || Precision::IsInfinite(end)) return nullptr;
   const Handle(Geom_BSplineCurve) spline =
       GeomConvert::CurveToBSplineCurve(new Geom_TrimmedCurve(curve, begin, end));
+  // A periodic one has fewer points than its knots tell.
   if (!spline.IsNull() && spline->IsPeriodic()) spline->SetNotPeriodic();
   return spline;
 }
@@ -119,6 +120,7 @@ class GeometryReader {
       TopLoc_Location location;
       const Handle(Poly_Triangulation) mesh = BRep_Tool::Triangulation(face, location);
       if (mesh.IsNull() || mesh->NbTriangles() == 0) {
+        // Counted, and told to the user: nothing is missing in silence.
         ++geometry.faces_left_out;
         continue;
       }
@@ -155,6 +157,7 @@ class GeometryReader {
 // Of the box around the shape, mm.
 double diagonal_of(const TopoDS_Shape& shape, const std::string& refusal) {
   Bnd_Box box;
+  // By curves and surfaces: there are no triangles yet.
   BRepBndLib::Add(shape, box, Standard_False);
   // Empty, or without end in some direction, as a plane without borders.
   if (box.IsVoid() || box.IsOpen()) {

@@ -24,12 +24,9 @@ std::string text_of(const Handle(TCollection_HAsciiString) & text) {
 }
 
 std::string unit_name(int flag) {
-  static const std::map<int, std::string> kNames = {// The flags of the global section.
-                                                    {1, "in"},
-                                                    {2, "mm"},
-                                                    {4, "ft"},
-                                                    {6, "m"},
-                                                    {10, "cm"}};
+  // The flags of the global section.
+  static const std::map<int, std::string> kNames = {
+      {1, "in"}, {2, "mm"}, {4, "ft"}, {6, "m"}, {10, "cm"}};
   const auto found = kNames.find(flag);
   return found != kNames.end() ? found->second : "";
 }
@@ -59,6 +56,7 @@ void find_layers_and_names(IGESControl_Reader& reader, CadContent& content) {
     const TopoDS_Shape shape = TransferBRep::ShapeResult(process, entity);
     const std::string name = text_of(entity->NameValue());
     if (!shape.IsNull() && !name.empty()) content.names.push_back({name, shape});
+    // Level 0 is that of entities that are on none; lists of levels are left out.
     if (entity->DefLevel() != IGESData_DefOne || entity->Level() <= 0) continue;
     CadLayer& layer = layers[entity->Level()];
     if (!shape.IsNull()) layer.members.push_back({shape, colour_of(entity)});

@@ -35,13 +35,9 @@ std::string unit_name(STEPControl_Reader& reader) {
   reader.FileUnits(lengths, angles, solid_angles);
   if (lengths.IsEmpty()) return "";
   const std::string name = lengths.First().ToCString();
+  // Units that are not SI have the name that the file gives them; Open CASCADE writes capitals.
   static const std::map<std::string, std::string> kNames = {
-      // Units that are not SI have the name that the file gives them; Open CASCADE writes capitals.
-      {"metre", "m"},
-      {"centimetre", "cm"},
-      {"millimetre", "mm"},
-      {"FOOT", "ft"},
-      {"INCH", "in"}};
+      {"metre", "m"}, {"centimetre", "cm"}, {"millimetre", "mm"}, {"FOOT", "ft"}, {"INCH", "in"}};
   const auto found = kNames.find(name);
   return found != kNames.end() ? found->second : "";
 }
@@ -78,6 +74,7 @@ void find_names(STEPControl_Reader& reader, CadContent& content) {
       reader.WS()->TransferReader()->TransientProcess();
   for (int i = 1; i <= model->NbEntities(); ++i) {
     const auto item = Handle(StepRepr_RepresentationItem)::DownCast(model->Value(i));
+    // Most items of a file have no name.
     if (item.IsNull() || item->Name().IsNull() || item->Name()->IsEmpty()) continue;
     const TopoDS_Shape shape = STEPConstruct::FindShape(process, item);
     if (!shape.IsNull()) {

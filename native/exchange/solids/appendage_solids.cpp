@@ -36,6 +36,7 @@ TopoDS_Shape cylinder_solid(const analysis::CylinderShape& c) {
   const gp_Ax2 axes(in_millimetres(c.start), direction_of(along));
   const double height = kMillimetresPerMetre * along.norm();
   const double r0 = kMillimetresPerMetre * c.start_radius, r1 = kMillimetresPerMetre * c.end_radius;
+  // A cone of no angle is refused by Open CASCADE.
   if (std::abs(r1 - r0) <= kSameRadius * r0) {
     return BRepPrimAPI_MakeCylinder(axes, r0, height).Solid();
   }
@@ -68,6 +69,7 @@ conversion::BSplineCurve spline_of(const Outline& outline, std::size_t first, st
 TopoDS_Face ruled_face(const conversion::BSplineCurve& from, const conversion::BSplineCurve& to) {
   conversion::BSplinePatch patch;
   patch.degree_u = from.degree;
+  // u along the curves, v along the rulings.
   patch.knots_u = from.knots;
   patch.count_u = static_cast<int>(from.points.size());
   patch.degree_v = 1;
@@ -90,6 +92,7 @@ TopoDS_Face plane_face(const std::vector<conversion::BSplineCurve>& border) {
   for (const conversion::BSplineCurve& curve : border) {
     // A sharp trailing edge has no line to close.
     if ((curve.points.front() - curve.points.back()).norm() == 0.0 && curve.degree == 1) continue;
+    // Edges of its own: sewing joins them to those of the sides.
     wire.Add(BRepBuilderAPI_MakeEdge(make_curve(curve)).Edge());
   }
   return BRepBuilderAPI_MakeFace(wire.Wire(), true).Face();
@@ -231,6 +234,7 @@ TopoDS_Shape solid_of(const analysis::AppendageShape& shape) {
   } else {
     made = bulb_solid(std::get<analysis::BulbShape>(shape));
   }
+  // All three are made as solids, by whatever way.
   TopoDS_Solid solid = TopoDS::Solid(made);
   // Sewn faces may all point inwards.
   BRepLib::OrientClosedSolid(solid);

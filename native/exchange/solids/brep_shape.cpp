@@ -60,6 +60,7 @@ class ShapeMaker {
         edges_(set.edge_count + closing.edges.size()),
         first_(edges_.size(), -1),
         faces_of_(edges_.size(), 0) {
+    // The ends of a side of no length are one vertex.
     for (int v = 0; v < set.vertex_count; ++v) vertex_groups_.join(v, uses_.vertex(v));
     for (const conversion::CapEdge& edge : closing.edges) {
       // It is left out of the wires, whose other edges then have to meet in one vertex.
@@ -104,6 +105,7 @@ class ShapeMaker {
       }
       builder_.Add(compound, result.shape);
     }
+    // A single part is no compound, so that readers find a solid.
     if (shells.size() > 1) result.shape = compound;
     return result;
   }
@@ -209,6 +211,7 @@ class ShapeMaker {
   TopoDS_Edge degenerated_edge(const Handle(Geom2d_BSplineCurve) & side,
                                const TopoDS_Vertex& vertex, const TopoDS_Face& face) {
     TopoDS_Edge edge;
+    // Without a curve in space: its line in (u, v) alone closes the wire there.
     builder_.MakeEdge(edge);
     builder_.UpdateEdge(edge, side, face, kTolerance);
     add_ends(edge, vertex, vertex);
@@ -287,6 +290,7 @@ class ShapeMaker {
   // Where a side of no length is, 0 or 2: at the begin or end of side 1.
   TopoDS_Vertex vertex_at(const conversion::Cap& cap, int side) {
     const conversion::DirectedEdge border = cap.loops[1].front();
+    // Side 1 leads from side 0 to side 2.
     const bool at_begin = (side == 0) != border.reversed;
     const TopAbs_Orientation wanted = at_begin ? TopAbs_FORWARD : TopAbs_REVERSED;
     for (TopoDS_Iterator end(edges_[border.edge].edge); end.More(); end.Next()) {

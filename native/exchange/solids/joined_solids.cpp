@@ -134,6 +134,7 @@ void join_appendages(BRepShape& hull, std::vector<std::string>& regions,
   }
   if (hull.solids > 1) hull.shape = compound;
   hull.parts = hull.solids;
+  // An operation may end without errors, and with a result that is not valid.
   if (BRepCheck_Analyzer(hull.shape).IsValid()) return;
   throw std::invalid_argument(
       "the solid of the hull and its appendages is not valid: let their surfaces cross at an "

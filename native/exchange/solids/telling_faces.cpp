@@ -51,6 +51,7 @@ TopoDS_Shape with_telling_first_face(const TopoDS_Shape& solid) {
 
 TopoDS_Shape with_telling_first_faces(const TopoDS_Shape& shape) {
   if (shape.ShapeType() == TopAbs_SOLID) return with_telling_first_face(shape);
+  // Shells alone are not taken for solids by readers.
   if (shape.ShapeType() != TopAbs_COMPOUND) return shape;
   const BRep_Builder builder;
   TopoDS_Compound compound;

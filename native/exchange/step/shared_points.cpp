@@ -34,6 +34,7 @@ class PointSharer {
   explicit PointSharer(std::string_view text) : text_(text) {}
 
   std::string make() {
+    // Twice over the text: a point may be referred to before it stands there.
     for_each_statement([this](std::string_view statement) { find_point(statement); });
     std::string result;
     result.reserve(text_.size());

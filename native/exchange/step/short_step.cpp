@@ -43,6 +43,7 @@ class Shortener {
   std::string_view string_literal() const {
     std::size_t end = at_;
     do {
+      // A string that does not end goes on to the text's end.
       end = std::min(text_.find('\'', end + 1), text_.size() - 1) + 1;
       // Another quote at once is the second of a doubled one.
     } while (end < text_.size() && text_[end] == '\'');

@@ -99,6 +99,7 @@ class StepText {
     for (const CadCurve& curve : model_.curves) {
       const TopoDS_Edge edge = BRepBuilderAPI_MakeEdge(make_curve(curve.curve)).Edge();
       transfer(edge, STEPControl_GeometricCurveSet, 0.5, 0.5);
+      // In the order of transfers, as set_names() counts on.
       products_.push_back(curve.name);
       const Item item = item_of(edge);
       if (item.IsNull()) continue;  // the file read back will show it
@@ -122,6 +123,7 @@ class StepText {
       const auto product = Handle(StepBasic_Product)::DownCast(writer_.Model()->Value(i));
       if (product.IsNull()) continue;
       const std::string& name =
+          // The hull's own product comes first.
           next == 0 || next > products_.size() ? options_.name : products_[next - 1];
       ++next;
       product->SetId(texts_.holder(name));

@@ -139,6 +139,7 @@ void StepColours::put_into(const Handle(StepData_StepModel) & model) const {
   Handle(StepVisual_MechanicalDesignGeometricPresentationRepresentation) all =
       new StepVisual_MechanicalDesignGeometricPresentationRepresentation;
   all->Init(no_text(), items, context);
+  // With all that it refers to: styled items, styles, colours.
   model->AddWithRefs(all);
 }
 
@@ -163,6 +164,7 @@ std::map<Standard_Transient*, analysis::Colour> step_colours(const Handle(StepDa
   std::map<Standard_Transient*, analysis::Colour> colours;
   for (int i = 1; i <= model->NbEntities(); ++i) {
     const auto styled = Handle(StepVisual_StyledItem)::DownCast(model->Value(i));
+    // Files of others may leave out what the schema asks for.
     if (styled.IsNull() || styled->Styles().IsNull() || styled->Item().IsNull()) continue;
     for (int k = 1; k <= styled->NbStyles(); ++k) {
       if (styled->StylesValue(k).IsNull()) continue;
