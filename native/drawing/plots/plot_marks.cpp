@@ -71,6 +71,7 @@ bool put_line_text(SheetBuilder& builder, const PlotLine& line, const Vector2d& 
   const TextStyle style{.size = kMarkSize, .ink = inks::kGrey, .knockout = true};
   const double angle = line.vertical ? -0.5 * std::numbers::pi : 0.0;
   const Vector2d along = (to - from).normalized();
+  // Up from a horizontal line, to the left of a vertical one; the other hand is tried first.
   const Vector2d aside(along.y(), -along.x());
   OrientedBox box = SheetBuilder::text_box(line.label, style, from, Align::kCentre, angle);
   const double length = (to - from).norm();
