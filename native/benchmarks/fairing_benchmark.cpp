@@ -22,9 +22,8 @@ hull::surface::LimitSurface side() {
   for (int i = 0; i < kColumns; ++i) {
     for (int j = 0; j < kRows; ++j) {
       const double x = static_cast<double>(i) / (kColumns - 1), z = static_cast<double>(j) / kRows;
+      // The breadth vanishes at both ends; the last term ripples the points by up to 4 cm.
       mesh.points.emplace_back(100.0 * x,
-                               // The breadth vanishes at both ends; the last term ripples the
-                               // points by up to 4 cm.
                                8.0 * std::sqrt(z + 0.05) * (1.0 - std::pow(2.0 * x - 1.0, 4)) +
                                    0.01 * ((i * 7 + j * 3) % 5),
                                10.0 * z);

@@ -49,8 +49,8 @@ void BM_Construct(benchmark::State& state) {
   // Alive while memory is counted.
   const hull::surface::LimitSurface kept = build();
   state.counters["faces"] = faces;
+  // An inverted rate is the time of one.
   state.counters["time/face"] = benchmark::Counter(
-      // An inverted rate is the time of one.
       faces, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
   state.counters["kB/face"] = (allocated_bytes() - before) / faces / 1e3;
   state.counters["peak_MB"] = (process_bytes("VmHWM") - resident) / 1e6;

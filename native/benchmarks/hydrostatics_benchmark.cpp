@@ -111,9 +111,8 @@ void BM_RightingLevers(benchmark::State& state) {
   std::vector<double> heels;
   for (int i = 0; i < 19; ++i) heels.push_back(std::numbers::pi / 180.0 * 5.0 * i);
   const hull::analysis::Immersion upright = body().immersion({Vector3d::UnitZ(), kDraft});
+  // Afloat level at the draft, with the centre of gravity above the base line by 5.5 m.
   const hull::analysis::LoadCase load{upright.volume * hull::analysis::kSeaWaterDensity,
-                                      // Afloat level at the draft, with the centre of gravity above
-                                      // the base line by 5.5 m.
                                       {upright.centre_of_buoyancy.x(), 0.0, 5.5}};
   for (auto _ : state) {
     benchmark::DoNotOptimize(hull::analysis::righting_levers(body(), load, heels));

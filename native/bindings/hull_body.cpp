@@ -146,8 +146,8 @@ void bind_hull_body(py::module_& module) {
           "have in common, and whether join([]) counts that once; where surfaces lie in one "
           "another along an area it can't, and the volume is an estimate. What encloses nothing "
           "overlaps nothing.")
+      // The very object that it was made of, which it keeps alive.
       .def_property_readonly("surface", &analysis::HullBody::surface,
-                             // The very object that it was made of, which it keeps alive.
                              py::return_value_policy::reference)
       .def_property_readonly("mirrored", &analysis::HullBody::mirrored)
       .def_property_readonly("tolerance", &analysis::HullBody::tolerance)

@@ -24,10 +24,10 @@ std::vector<analysis::SectionCurve> section_across(const surface::LimitSurface& 
                                                    const py::object& axis, double position,
                                                    const std::optional<double>& chord_tolerance,
                                                    const std::optional<double>& flat_tolerance) {
+  // Of unit length first, so that the position is in metres whatever length was given.
   const analysis::Plane plane =
       py::isinstance<py::str>(axis)
           ? analysis::plane_across(axis_from(py::cast<std::string>(axis)), position)
-          // Of unit length first, so that the position is in metres whatever length was given.
           : plane_from(point_from(DoubleArray(axis), "axis").normalized(), position, "axis");
   const analysis::SectionOptions options = options_from(surface, chord_tolerance, flat_tolerance);
   const py::gil_scoped_release release;

@@ -8,8 +8,8 @@ namespace hull::drawing {
 namespace {
 
 GridBox half_breadth_grid(const View& view, const HullExtents& extents) {
+  // Diagonals are below the centre line, where y is negative.
   GridBox grid(view.to_page(extents.aft, extents.breadth),
-               // Diagonals are below the centre line, where y is negative.
                view.to_page(extents.fore, -extents.diagonals));
   grid.min() -= Eigen::Vector2d::Constant(kOverhang);
   grid.max() += Eigen::Vector2d::Constant(kOverhang);

@@ -121,9 +121,9 @@ class Converter {
     // Where the paper knocks a gap into the curve, the file sets the text above it: its curves are
     // whole.
     const double baseline = label.knockout ? -kAboveCurve : label.box.half.y() - label.descent;
+    // Angles on the page turn from x to y, which runs down; the file's y runs up.
     drawing_.texts.push_back({text_layer, without_dashes(label.text),
                               true_point(label.box.centre + baseline * down),
-                              // Angles on the page turn from x to y, which runs down.
                               kCapitals * label.size * per_mm_, -angle});
   }
 

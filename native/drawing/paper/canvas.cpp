@@ -67,8 +67,8 @@ CairoSurface make_surface(const Sheet& sheet, FileKind kind, std::string& bytes)
   const double height = sheet.height * kPointsPerMm;
   switch (kind) {
     case FileKind::kPdf: {
+      // The surface keeps the address of `bytes`, which has to outlive it.
       CairoSurface surface(
-          // The surface keeps the address of `bytes`, which has to outlive it.
           cairo_pdf_surface_create_for_stream(append_bytes, &bytes, width, height));
       cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_TITLE, sheet.title.c_str());
       return surface;

@@ -151,8 +151,8 @@ PlotLegend::PlotLegend(std::vector<LegendEntry> entries, double width, int most_
   } else {
     columns = (count + rows_ - 1) / rows_;  // as even as the rows allow
   }
+  // No wider than the widest entry needs: a short legend stays together at the left.
   const double own =
-      // No wider than the widest entry needs: a short legend stays together at the left.
       columns > 1 ? std::min((width + kColumnSpace) / columns - kColumnSpace, widest + kColumnSpace)
                   : width;
   column_widths_.assign(columns, own);

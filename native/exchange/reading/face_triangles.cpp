@@ -114,8 +114,8 @@ class FinerTriangles {
       count += m[k] >= 0;
     }
     if (count == 3) {
+      // Four with the same turn: three at the corners, one of the middles.
       out.insert(out.end(),
-                 // Four with the same turn: three at the corners, one of the middles.
                  {{t[0], m[0], m[2]}, {m[0], t[1], m[1]}, {m[2], m[1], t[2]}, {m[0], m[1], m[2]}});
       return;
     }

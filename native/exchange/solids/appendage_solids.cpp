@@ -142,8 +142,8 @@ TopoDS_Shape foil_solid(const analysis::FoilShape& foil) {
   // comes back.
   const std::vector<double> down = form.knots(), up = backwards(down);
   const Vector3d along = foil.chord_direction.normalized();
+  // Square to the chord, whatever was given.
   const Vector3d across =
-      // Square to the chord, whatever was given.
       (foil.thickness_direction - foil.thickness_direction.dot(along) * along).normalized();
   struct End {
     conversion::BSplineCurve upper, lower, trailing;

@@ -52,8 +52,8 @@ bool covers_whole_surface(const TopoDS_Face& face, const Geom_Surface& surface) 
 std::optional<conversion::SurfaceIntegrals> of_whole_patch(const TopoDS_Face& face) {
   TopLoc_Location location;
   const auto surface = Handle(Geom_BSplineSurface)::DownCast(BRep_Tool::Surface(face, location));
+  // What a BSplinePatch can't hold.
   if (surface.IsNull() || !location.IsIdentity() || surface->IsURational() ||
-      // What a BSplinePatch can't hold.
       surface->IsVRational() || surface->IsUPeriodic() || surface->IsVPeriodic() ||
       !covers_whole_surface(face, *surface)) {
     return std::nullopt;

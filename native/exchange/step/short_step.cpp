@@ -54,8 +54,8 @@ class Shortener {
     const std::string_view token =
         text_.substr(at_, std::min(text_.find_first_of(kEndsToken, at_), text_.size()) - at_);
     double value = 0.0;
+    // Whole numbers stay whole: STEP tells integers from reals by the point.
     const bool is_number =
-        // Whole numbers stay whole: STEP tells integers from reals by the point.
         is_one_of('.', token) && token.find_first_not_of(kOfNumbers) == token.npos;
     const char* end = token.data() + token.size();
     // Enumerations like .E. have a point and these letters too, but do not read as numbers.

@@ -122,8 +122,8 @@ class StepText {
     for (int i = 1; i <= writer_.Model()->NbEntities(); ++i) {
       const auto product = Handle(StepBasic_Product)::DownCast(writer_.Model()->Value(i));
       if (product.IsNull()) continue;
+      // The hull's own product comes first.
       const std::string& name =
-          // The hull's own product comes first.
           next == 0 || next > products_.size() ? options_.name : products_[next - 1];
       ++next;
       product->SetId(texts_.holder(name));
