@@ -52,8 +52,11 @@ void write(benchmark::State& state, const Write& write_file, bool mirrored, bool
   hull::exchange::CadOptions options;
   options.mirrored = mirrored;
   options.solid = solid;
+  // Made before the clock runs.
   patches();
   hull::exchange::CadReport report;
+  // Each time over the file of before, as the writers replace what is there; it is read back as
+  // part of it.
   for (auto _ : state) report = write_file(patches(), file.path(), options);
   state.counters["faces"] = report.faces;
   state.counters["MB"] = static_cast<double>(report.bytes) / 1e6;

@@ -22,6 +22,7 @@ hull::surface::LimitSurface side() {
   for (int i = 0; i < kColumns; ++i) {
     for (int j = 0; j < kRows; ++j) {
       const double x = static_cast<double>(i) / (kColumns - 1), z = static_cast<double>(j) / kRows;
+      // The breadth vanishes at both ends; the last term ripples the points by up to 4 cm.
       mesh.points.emplace_back(100.0 * x,
                                8.0 * std::sqrt(z + 0.05) * (1.0 - std::pow(2.0 * x - 1.0, 4)) +
                                    0.01 * ((i * 7 + j * 3) % 5),
@@ -32,6 +33,7 @@ hull::surface::LimitSurface side() {
     for (int j = 0; j + 1 < kRows; ++j) {
       const int a = i * kRows + j;
       mesh.face_sizes.push_back(4);
+      // The normals point to port, into the water.
       mesh.face_vertices.insert(mesh.face_vertices.end(), {a, a + 1, a + kRows + 1, a + kRows});
     }
   }
@@ -41,6 +43,7 @@ hull::surface::LimitSurface side() {
 hull::modelling::FairOptions options(FairEnergy energy, bool along_normals) {
   hull::modelling::FairOptions options;
   for (int i = 0; i < kAlong; ++i) {
+    // In the middle of the side, away from its borders.
     for (int j = 0; j < kUp; ++j) options.points.push_back((15 + i) * kRows + 7 + j);
   }
   options.energy = energy;
@@ -64,6 +67,7 @@ void change(benchmark::State& state) {
   double deviation = 0.001;
   for (auto _ : state) {
     benchmark::DoNotOptimize(region.solve(deviation, std::numeric_limits<double>::infinity()));
+    // Another one each time, as when a slider is drawn.
     deviation = deviation < 0.01 ? 1.1 * deviation : 0.001;
   }
 }
@@ -77,6 +81,7 @@ BENCHMARK(change)
 }  // namespace
 
 int main(int argc, char** argv) {
+  // The names of the limits below have this number in them.
   static_assert(static_cast<int>(FairEnergy::kThinPlate) == 0);
   return hull::benchmarks::run_and_compare(argc, argv, {},
                                            {{"100 of 1,000 points prepared", "prepare"},

@@ -25,6 +25,7 @@ using hull::surface::LimitSurface;
 ReshapeOptions options(const LimitSurface& hull) {
   ReshapeOptions options;
   options.limits = hull::benchmarks::half_hull_limits(hull);
+  // Weights of the topology alone: made once, and shared by all that is made anew below.
   options.weights = std::make_shared<hull::modelling::PlaceWeights>(hull);
   return options;
 }
@@ -69,6 +70,7 @@ void BM_Falloff(benchmark::State& state, int refine, int halved_every) {
   FieldPlaces places = places_of(reshape.places());
   double falloff = 0.3;
   for (auto _ : state) {
+    // Another one each time, as when a slider is drawn.
     falloff = falloff > 0.8 ? 0.3 : falloff + 0.01;
     benchmark::DoNotOptimize(reshape.solve(shifts_of(fields(falloff, 0.0), places)));
   }
@@ -86,11 +88,14 @@ void BM_Base(benchmark::State& state, int refine, int halved_every) {
     ahead = ahead > 5.0 ? 0.0 : ahead + 0.1;
     const std::vector<Vector3d> shifts = shifts_of(fields(0.6, ahead), points);
     ReshapeOptions own = free;
+    // Points outside all extents stay: which those are changes with the base, and so does what has
+    // to be factorised.
     own.limits.limits.locked = places.points_beyond(shifts);
     benchmark::DoNotOptimize(Reshape(hull, own).solve(shifts));
   }
 }
 
+// The processor's time of all threads together, however many there are.
 BENCHMARK_CAPTURE(BM_Falloff, 140, 1, 12)->MeasureProcessCPUTime()->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(BM_Falloff, 1120, 3, 108)->MeasureProcessCPUTime()->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(BM_Base, 140, 1, 12)->MeasureProcessCPUTime()->Unit(benchmark::kMillisecond);

@@ -18,6 +18,7 @@ using hull::surface::LimitSurface;
 
 double allocated_bytes() {
   const auto info = mallinfo2();
+  // In the heap, and in blocks that are mapped by themselves.
   return static_cast<double>(info.uordblks + info.hblkhd);
 }
 
@@ -41,11 +42,14 @@ void BM_Construct(benchmark::State& state) {
                                        hull::surface::Scheme::kBiermann);
   };
   for (auto _ : state) benchmark::DoNotOptimize(build());
+  // Else pages that the repetitions have freed would count as there before.
   malloc_trim(0);
   reset_peak();
   const double before = allocated_bytes(), resident = process_bytes("VmRSS");
+  // Alive while memory is counted.
   const hull::surface::LimitSurface kept = build();
   state.counters["faces"] = faces;
+  // An inverted rate is the time of one.
   state.counters["time/face"] = benchmark::Counter(
       faces, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
   state.counters["kB/face"] = (allocated_bytes() - before) / faces / 1e3;
@@ -65,6 +69,7 @@ void BM_SetPoints(benchmark::State& state) {
 }
 
 void sizes(benchmark::internal::Benchmark* b) {
+  // 117 faces times the square.
   for (int refine : {1, 3, 10, 29}) b->Arg(refine);
   b->Unit(benchmark::kMillisecond)->Complexity(benchmark::oN);
 }

@@ -41,6 +41,7 @@ hull::analysis::HullBody make_body(const hull::surface::LimitSurface& of, double
 }
 
 const hull::analysis::HullBody& body(double tolerance = hull::analysis::kFinest) {
+  // One body of each tolerance for all benchmarks: what is prepared once is not of these times.
   static const hull::analysis::HullBody finest = make_body(surface(), hull::analysis::kFinest);
   static const hull::analysis::HullBody live = make_body(surface(), hull::analysis::kLive);
   return tolerance == hull::analysis::kLive ? live : finest;
@@ -53,10 +54,12 @@ class MovingBody {
       : surface_(control_mesh()), body_(make_body(surface_, tolerance)) {
     points_[0] = points_[1] = control_mesh().points();
     for (std::size_t i = 0; i < moved; ++i) {
+      // From the middle of the hull, so that one point is one that matters.
       points_[1][points_[1].size() / 2 - moved / 2 + i].y() *= 1.001;
     }
   }
   const hull::analysis::HullBody& move() {
+    // To and fro, so that nothing grows and no two updates are alike.
     surface_.set_points(points_[++count_ % 2]);
     body_.update();
     return body_;
@@ -108,6 +111,7 @@ void BM_RightingLevers(benchmark::State& state) {
   std::vector<double> heels;
   for (int i = 0; i < 19; ++i) heels.push_back(std::numbers::pi / 180.0 * 5.0 * i);
   const hull::analysis::Immersion upright = body().immersion({Vector3d::UnitZ(), kDraft});
+  // Afloat level at the draft, with the centre of gravity above the base line by 5.5 m.
   const hull::analysis::LoadCase load{upright.volume * hull::analysis::kSeaWaterDensity,
                                       {upright.centre_of_buoyancy.x(), 0.0, 5.5}};
   for (auto _ : state) {
@@ -115,7 +119,7 @@ void BM_RightingLevers(benchmark::State& state) {
   }
 }
 
-// Volume below z = draft of the prisms between a triangle's part above -infinity and the water.
+// Volume of the prism between the part of a triangle that is below the water and the water.
 double prism_volume(const Vector3d* corners, double draft) {
   // The polygon left of the triangle below the water.
   Vector3d kept[4];
@@ -124,6 +128,8 @@ double prism_volume(const Vector3d* corners, double draft) {
     const Vector3d &a = corners[i], &b = corners[(i + 1) % 3];
     const double ha = a.z() - draft, hb = b.z() - draft;
     if (ha < 0.0) kept[count++] = a;
+    // Of a triangle that the water cuts, three or four corners are left (Sutherland and Hodgman
+    // 1974).
     if ((ha < 0.0) != (hb < 0.0)) kept[count++] = a + (b - a) * (ha / (ha - hb));
   }
   double volume = 0.0;
@@ -131,6 +137,8 @@ double prism_volume(const Vector3d* corners, double draft) {
     const Vector3d &a = kept[0], &b = kept[i], &c = kept[i + 1];
     const double area =
         0.5 * ((b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x()));
+    // The divergence theorem with the field (0, 0, z - draft), which vanishes on the water: no lid
+    // is needed.
     volume += area * ((a.z() + b.z() + c.z()) / 3.0 - draft);
   }
   return volume;
@@ -150,6 +158,7 @@ double triangulated_volume(const hull::surface::GridSamples& samples, int cells,
       }
     }
   }
+  // Both sides.
   return 2.0 * volume;
 }
 
@@ -168,6 +177,7 @@ void BM_TriangulatedVolume(benchmark::State& state) {
   static const int n = fine_enough();
   hull::surface::GridSamples samples;
   for (auto _ : state) {
+    // With the points made anew, as they are after a move.
     hull::surface::evaluate_grid(surface(), n, 0, samples);
     benchmark::DoNotOptimize(triangulated_volume(samples, surface().cell_count(), kDraft));
   }
@@ -182,6 +192,7 @@ void BM_OpenCascadeVolume(benchmark::State& state) {
           .shape;
   for (auto _ : state) {
     GProp_GProps volume;
+    // Without a tolerance: by a fixed rule.
     BRepGProp::VolumeProperties(shape, volume);
     benchmark::DoNotOptimize(volume.Mass());
   }
@@ -197,6 +208,7 @@ BENCHMARK_CAPTURE(BM_HydrostaticsAfterSetPoints, one, 1, hull::analysis::kLive)
     ->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(BM_VolumeAfterSetPoints, all, 140, hull::analysis::kLive)
     ->Unit(benchmark::kMillisecond);
+// To the accuracy of the triangles that it is compared with.
 BENCHMARK_CAPTURE(BM_VolumeAfterSetPoints, all_1e6, 140, 1e-6)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(BM_VolumeAfterSetPoints, one, 1, hull::analysis::kLive)
     ->Unit(benchmark::kMillisecond);

@@ -33,6 +33,7 @@ TriangleDisc half_hull(int refine, int divisions, double fineness) {
     p.x() = 100.0 * std::pow(std::max(0.0, p.x()) / 100.0, fineness);
   }
   std::vector<hull::morphing::Triangle> triangles;
+  // Halved along one diagonal all over.
   for (const auto& [a, b, c, d] : facets.quads) {
     triangles.push_back({a, b, c});
     triangles.push_back({a, c, d});
@@ -47,6 +48,7 @@ std::vector<int> corners_of(const TriangleDisc& disc) {
     double most = -1e9;
     for (int h : disc.border()) {
       const hull::Vector3d& p = disc.points()[disc.topology().origin(h)];
+      // The border's point farthest in this direction.
       const double value = forward * p.x() + up * p.z();
       if (value > most) std::tie(found, most) = std::make_pair(disc.topology().origin(h), value);
     }
@@ -56,6 +58,7 @@ std::vector<int> corners_of(const TriangleDisc& disc) {
 }
 
 DiscMap mapped(const TriangleDisc& disc) {
+  // Both discs go into one polygon, their four corners to its own.
   return {disc, corners_of(disc), ConvexPolygon({{0, 0}, {1, 0.1}, {1, 0.3}, {0, 0.3}})};
 }
 
@@ -109,6 +112,7 @@ hull::morphing::HullFamily two_parents() {
 void BM_Member(benchmark::State& state) {
   constexpr double kDraft = 6.0;
   const hull::morphing::HullFamily family = two_parents();
+  // A copy, whose points are set: nothing is built anew for a member.
   hull::surface::LimitSurface surface = family.parents()[0];
   hull::analysis::HullBody body(surface, true, hull::analysis::Openings::kClosed,
                                 hull::analysis::kLive);
@@ -118,6 +122,7 @@ void BM_Member(benchmark::State& state) {
   for (auto _ : state) {
     const double t = 0.01 * (++count % 101);
     const std::vector<hull::Vector3d> points = family.points(std::vector<double>{1.0 - t, t});
+    // Kept, so that the check is not left out by the compiler, and told at the end.
     is_folded = is_folded || family.first_fold(points).has_value();
     surface.set_points(points);
     body.update();

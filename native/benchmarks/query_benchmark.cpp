@@ -34,6 +34,7 @@ Vector3d offset(std::mt19937& random) {
 
 // Anywhere near the surface, within `away` in each direction, m.
 std::vector<Vector3d> scattered(double away) {
+  // The same points in every run.
   std::mt19937 random(1);
   std::uniform_real_distribution<double> unit(0.0, 1.0);
   std::vector<Vector3d> points;
@@ -88,6 +89,7 @@ void BM_FirstRayHits(benchmark::State& state) {
   std::vector<hull::surface::Ray> rays;
   for (const Vector3d& p : scattered(0.0)) {
     const Vector3d direction = offset(random).normalized();
+    // Aimed at points of the surface: each ray hits, there or before.
     rays.push_back({p - 50.0 * direction, direction});
   }
   for (auto _ : state) {
@@ -100,6 +102,7 @@ void BM_FirstRayHits(benchmark::State& state) {
 
 void BM_NearestOfSamplesByTryingAll(benchmark::State& state) {
   const hull::surface::GridSamples samples = hull::surface::evaluate_grid(surface(), 16, 0);
+  // Fewer queries: each tries all samples.
   std::vector<Vector3d> points = scattered(1.0);
   points.resize(200);
   double worst = 0.0;
@@ -107,6 +110,7 @@ void BM_NearestOfSamplesByTryingAll(benchmark::State& state) {
     for (const Vector3d& p : points) {
       double least = std::numeric_limits<double>::infinity();
       for (const Vector3d& q : samples.points) least = std::min(least, (q - p).squaredNorm());
+      // The exact query is timed with them, and takes next to nothing beside trying all.
       worst = std::max(worst, std::sqrt(least) - hull::surface::closest_point(tree(), p).distance);
     }
   }

@@ -18,9 +18,11 @@ class Collector : public benchmark::ConsoleReporter {
     std::vector<Run> shown;
     for (const Run& run : runs) {
       const std::string name = run.run_name.str();
+      // Single repetitions; medians of these are taken below. Runs that failed have no iterations.
       if (run.run_type == Run::RT_Iteration && run.iterations > 0) {
         const bool by_clock = name.find("real_time") != std::string::npos;
         const double time = by_clock ? run.GetAdjustedRealTime() : run.GetAdjustedCPUTime();
+        // Adjusted times are in the benchmark's own unit.
         milliseconds_[name].push_back(1e3 * time / benchmark::GetTimeUnitMultiplier(run.time_unit));
       }
       if (run.repetitions <= 1 || run.aggregate_name == "median" || run.aggregate_name == "cv" ||
@@ -69,6 +71,8 @@ int run_and_compare(int argc, char** argv, const std::vector<Comparison>& compar
   // What the command line says comes later, and holds.
   std::vector<std::string> words{argv[0], "--benchmark_repetitions=5", "--benchmark_min_time=0.1",
                                  "--benchmark_enable_random_interleaving=true"};
+  // Repetitions in random order: a machine that is slower for a while does not hit one side of a
+  // comparison alone.
   words.insert(words.end(), argv + 1, argv + argc);
   std::vector<char*> pointers;
   for (std::string& word : words) pointers.push_back(word.data());
@@ -79,6 +83,7 @@ int run_and_compare(int argc, char** argv, const std::vector<Comparison>& compar
   benchmark::RunSpecifiedBenchmarks(&times);
   std::printf("\n%-46s %12s %12s\n", "Medians", "ours", "theirs");
   for (const Comparison& comparison : comparisons) {
+    // Only what the command line's filter let run.
     if (times.has(comparison.ours) && times.has(comparison.theirs)) print(comparison, times);
   }
   for (const TimeLimit& limit : limits) {

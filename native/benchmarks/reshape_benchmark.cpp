@@ -20,6 +20,7 @@ using hull::modelling::Reshape;
 using hull::modelling::ReshapeOptions;
 using hull::surface::LimitSurface;
 
+// Both kept for all benchmarks: building them is not of these times.
 const LimitSurface& surface(int refine) {
   static const LimitSurface small{hull::mesh::ControlMesh(hull::benchmarks::half_hull())};
   static const LimitSurface large{hull::mesh::ControlMesh(hull::benchmarks::half_hull(3))};
@@ -46,6 +47,7 @@ std::vector<Vector3d> shifts(const Reshape& reshape) {
 void BM_Prepare(benchmark::State& state, int refine, int per_side) {
   const LimitSurface& hull = surface(refine);
   for (auto _ : state) {
+    // Within the loop, since limits are part of what is prepared.
     ReshapeOptions own = options(hull);
     own.weights = std::make_shared<PlaceWeights>(hull, per_side);
     benchmark::DoNotOptimize(Reshape(hull, own));

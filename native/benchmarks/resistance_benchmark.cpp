@@ -17,6 +17,7 @@ using hull::benchmarks::half_hull_surface;
 using hull::resistance::MichellIntegral;
 using hull::surface::LimitSurface;
 
+// Upright, with a draft of 6 m amidships.
 constexpr hull::analysis::FloatingPosition kAfloat{6.0, 0.0, 0.0, 50.0};
 constexpr int kSpeeds = 40;
 
@@ -31,6 +32,7 @@ void BM_FortySpeeds(benchmark::State& state) {
     const MichellIntegral integral(body, kAfloat);
     std::vector<double> speeds;
     for (int i = 0; i < kSpeeds; ++i) {
+      // The length is that in the water, which only the integral knows.
       speeds.push_back(speed_at(0.15 + 0.45 * i / (kSpeeds - 1), integral.length()));
     }
     benchmark::DoNotOptimize(integral.resistance(speeds));
@@ -41,6 +43,7 @@ BENCHMARK(BM_FortySpeeds)->Args({1, 12})->Args({3, 108})->Unit(benchmark::kMilli
 void BM_Gradient(benchmark::State& state) {
   const LimitSurface surface = half_hull_surface(state);
   const HullBody body(surface, true);
+  // Of the topology, so prepared once for all speeds and points.
   const hull::analysis::BodyDerivatives derivatives(body);
   const MichellIntegral integral(body, kAfloat);
   const double speed = speed_at(0.3, integral.length());

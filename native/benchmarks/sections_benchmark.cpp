@@ -48,6 +48,7 @@ const hull::surface::LimitSurface& surface() {
 
 void BM_Sections(benchmark::State& state) {
   for (auto _ : state) {
+    // All planes in one call share what is made of the surface.
     benchmark::DoNotOptimize(hull::analysis::sections(surface(), planes(), {kTolerance, {}}));
   }
 }
@@ -78,10 +79,12 @@ class Slicer {
     nodes_.clear();
     points_.clear();
     links_.clear();
+    // Once for each point, and not for each triangle that has it.
     for (std::size_t i = 0; i < heights_.size(); ++i) heights_[i] = plane.height(grid_.points[i]);
     for (const auto& q : grid_.quads) {
       const bool below[] = {heights_[q[0]] < 0.0, heights_[q[1]] < 0.0, heights_[q[2]] < 0.0,
                             heights_[q[3]] < 0.0};
+      // Most quadrilaterals are told off by this.
       if (below[0] == below[1] && below[1] == below[2] && below[2] == below[3]) continue;
       add(q[0], q[1], q[2]);
       add(q[0], q[2], q[3]);
@@ -91,10 +94,12 @@ class Slicer {
 
  private:
   int node(int a, int b) {
+    // Both triangles of an edge find the same node.
     if (a > b) std::swap(a, b);
     const auto key = static_cast<long long>(a) << 32 | b;
     const auto [place, fresh] = nodes_.try_emplace(key, static_cast<int>(points_.size()));
     if (fresh) {
+      // One is below and the other not, so that the difference is never nothing.
       const double t = heights_[a] / (heights_[a] - heights_[b]);
       points_.push_back(grid_.points[a] + t * (grid_.points[b] - grid_.points[a]));
       links_.push_back({-1, -1});
@@ -110,12 +115,15 @@ class Slicer {
     if (below[2] != below[0]) ends[count++] = node(c, a);
     for (int k = 0; k < 2; ++k) {
       auto& link = links_[ends[k]];
+      // The first free one of two: a node has two neighbours at most, one of each triangle at its
+      // edge.
       link[link[0] >= 0] = ends[1 - k];
     }
   }
   std::vector<std::vector<Vector3d>> join() {
     std::vector<std::vector<Vector3d>> curves;
     std::vector<char> used(points_.size(), 0);
+    // Open curves from their ends first; what is then left are rings.
     for (const bool closed : {false, true}) {
       for (int i = 0; i < static_cast<int>(points_.size()); ++i) {
         if (used[i] || (!closed && links_[i][1] >= 0)) continue;
@@ -149,6 +157,8 @@ double facet_error(int n) {
   std::vector<double> errors;
   for (int q = 0; q < static_cast<int>(grid.quads.size()); ++q) {
     const int cell = q / (n * n), i = q % n, j = q / n % n;
+    // With n doubled, the quadrilateral's middle is a point of the finer grid: the third corner of
+    // the first of its four quarters.
     const Vector3d& middle = finer.points[finer.quads[(4 * cell * n + 4 * j) * n + 2 * i][2]];
     const auto& c = grid.quads[q];
     errors.push_back((middle - 0.5 * (grid.points[c[0]] + grid.points[c[2]])).norm());
@@ -162,6 +172,7 @@ double facet_error(int n) {
 int divisions() {
   static const int found = [] {
     int n = 1;
+    // The error falls with the square of n, so that this ends soon.
     while (facet_error(n) > kTolerance) ++n;
     std::printf("%d x %d quadrilaterals a cell: 99 of 100 within %.2f mm\n", n, n,
                 1e3 * facet_error(n));

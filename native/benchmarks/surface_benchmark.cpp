@@ -29,6 +29,7 @@ hull::mesh::ControlMesh control_mesh(int refine = 1) {
 constexpr int kGrid = 16;
 
 void BM_GridOurs(benchmark::State& state) {
+  // The scheme that OpenSubdiv has, for the same surface.
   const hull::surface::LimitSurface surface(control_mesh(), hull::surface::Scheme::kCatmullClark);
   hull::surface::GridSamples samples;
   for (auto _ : state) {
@@ -45,11 +46,13 @@ void BM_GridBfr(benchmark::State& state) {
   const hull::mesh::MeshArrays mesh = hull::benchmarks::half_hull();
   BfrSurfaces surfaces(mesh);
   surfaces.build(10);
+  // Out of the clock, as the exact surface has its pieces made too.
   surfaces.prepare();
   const int order = static_cast<int>(state.range(0));
   std::int64_t count = 0;
   double out[18];
   for (auto _ : state) {
+    // Counted within the loop, which visits every corner of every face.
     count = 0;
     for (int face = 0; face < surfaces.face_count(); ++face) {
       const bfr::Parameterization parameters = surfaces.parameters(face);
@@ -76,6 +79,7 @@ void BM_GridBfr(benchmark::State& state) {
 
 void BM_GridStencils(benchmark::State& state) {
   const hull::mesh::MeshArrays mesh = hull::benchmarks::half_hull();
+  // The stencils are made out of the clock; what is timed are their sums.
   LimitStencils stencils(mesh, kGrid, static_cast<int>(state.range(0)), 10);
   for (auto _ : state) {
     stencils.evaluate();
@@ -92,6 +96,7 @@ struct Place {
   double u, v;
 };
 
+// The same in every run.
 std::vector<Place> scattered_places(int cells, std::size_t count) {
   std::mt19937 random(1);
   std::uniform_real_distribution<double> unit(0.0, 1.0);
@@ -156,6 +161,7 @@ void BM_ConstructCold(benchmark::State& state) {
 
 void BM_ConstructWarm(benchmark::State& state) {
   const hull::mesh::ControlMesh mesh = control_mesh();
+  // From the second time on all bases at irregular points are known.
   const auto cache = std::make_shared<hull::surface::BasisCache>();
   for (auto _ : state) {
     benchmark::DoNotOptimize(
@@ -192,6 +198,7 @@ void BM_MillionPoints(benchmark::State& state) {
   for (auto _ : state) {
     hull::surface::parallel_for(kCount, threads, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
+        // Each thread writes into a range of its own.
         points[i] = surface.position(places[i].cell, places[i].u, places[i].v);
       }
     });

@@ -36,11 +36,13 @@ void BM_FiveTargets(benchmark::State& state) {
   options.water.position = kAfloat;
   options.water.project = kProject;
   for (std::size_t i = 0; i < surface.mesh().points().size(); ++i) {
+    // Points in the centre plane stay in it.
     if (surface.mesh().points()[i].y() != 0.0) continue;
     options.limits.limits.held.push_back({static_cast<int>(i), hull::Vector3d::UnitY()});
   }
   const hull::analysis::HullBody body(surface, true);
   const hull::analysis::BodyDerivatives derivatives(body);
+  // Targets are a little off what the hull has, wherever that is.
   hull::analysis::FormNumbers now(derivatives, kAfloat, kProject);
   std::vector<hull::modelling::FormTarget> targets;
   const auto want = [&](FormNumber number, double factor) {
@@ -57,6 +59,7 @@ void BM_FiveTargets(benchmark::State& state) {
   for (auto _ : state) {
     const auto reached = hull::modelling::reach_targets(surface, targets, options);
     state.counters["steps"] = reached.iterations;
+    // A time without the targets met would be none.
     if (reached.status != hull::modelling::TargetStatus::kMet) state.SkipWithError("not met");
   }
 }

@@ -19,6 +19,7 @@ void BM_Transformation(benchmark::State& state, int refine, int halved_every) {
   const hull::analysis::ProjectDimensions project{kLength, kBeam, kDraft};
   const hull::analysis::Immersion before = body.immersion(hull::analysis::water_plane(position));
   hull::modelling::FormTargets targets;
+  // A change as a designer makes it: 1 % of volume, and half a metre of LCB.
   targets.volume = {hull::modelling::VolumeMeasure::kVolume, 1.01 * before.volume};
   targets.lcb = before.centre_of_buoyancy.x() + 0.5;
   for (auto _ : state) {

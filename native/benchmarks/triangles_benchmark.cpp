@@ -19,6 +19,8 @@ hull::mesh::MeshArrays half_hull_of_triangles(int n) {
   for (int i = 0; i <= n; ++i) {
     for (int j = 0; j <= n; ++j) {
       const double s = static_cast<double>(i) / n, t = static_cast<double>(j) / n;
+      // Not quite to the ends, where the hull would have no breadth; the keel is put into the
+      // centre plane.
       const double y = 10.0 * std::sin(3.14159265 * (0.05 + 0.9 * s)) * std::sqrt(0.01 + t);
       mesh.points.emplace_back(100.0 * s, t > 0.0 ? y : 0.0, 10.0 * t * t);
     }
@@ -27,6 +29,7 @@ hull::mesh::MeshArrays half_hull_of_triangles(int n) {
     for (int j = 0; j < n; ++j) {
       const int a = i * (n + 1) + j, b = a + n + 1;
       mesh.face_sizes.insert(mesh.face_sizes.end(), {3, 3});
+      // All halved along one diagonal, which makes six triangles meet in a point.
       mesh.face_vertices.insert(mesh.face_vertices.end(), {a, a + 1, b + 1, a, b + 1, b});
     }
   }
@@ -53,6 +56,7 @@ void BM_PatchesOfTriangles(benchmark::State& state) {
   std::size_t points = 0;
   for (auto _ : state) {
     const hull::conversion::PatchSet set = hull::conversion::exact_patches(surface);
+    // Of the last time, as all are alike.
     points = 0;
     for (const auto& patch : set.patches) points += patch.control_points.size();
   }

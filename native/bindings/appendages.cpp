@@ -48,6 +48,7 @@ py::tuple grid_of(const Appendage& appendage, int divisions) {
     for (int j = 0; j < divisions; ++j) {
       for (int i = 0; i < divisions; ++i) {
         const int at = first + j * side + i;
+        // Counter-clockwise in (u, v).
         corners.insert(corners.end(), {at, at + 1, at + side + 1, at + side});
       }
     }
@@ -140,6 +141,7 @@ void bind_shapes(py::module_& module) {
          bool mirrored) {
         const analysis::CylinderShape shape{point_from(start, "start"), point_from(end, "end"),
                                             radius, end_radius.value_or(radius)};
+        // For what it refuses alone: so an Appendage that is made has a shell.
         analysis::shell_of(shape);
         return Appendage{name, shape, cut, mirrored};
       },

@@ -40,6 +40,7 @@ std::vector<int> whole_numbers(const py::array& array, const char* name) {
   if (kind != 'i' && kind != 'u' && kind != 'b') {
     throw std::invalid_argument(std::string(name) + " must be an array of whole numbers.");
   }
+  // Through 64 bits, as a cast to 32 would wrap what is out of range.
   const auto wide = py::array_t<std::int64_t, py::array::c_style | py::array::forcecast>(array);
   std::vector<int> values(static_cast<std::size_t>(wide.size()));
   const std::int64_t* data = wide.data();
@@ -63,6 +64,7 @@ bool holds_text(const py::array& array) {
 
 template <class Item, class Scalar, int kColumns>
 py::array_t<Scalar> rows_to_array(const std::vector<Item>& rows) {
+  // Rows without padding follow one another as the array has them.
   static_assert(sizeof(Item) == kColumns * sizeof(Scalar));
   py::array_t<Scalar> array({static_cast<py::ssize_t>(rows.size()), py::ssize_t{kColumns}});
   if (!rows.empty()) std::memcpy(array.mutable_data(), rows.data(), rows.size() * sizeof(Item));
@@ -76,11 +78,14 @@ DoubleArray::Values DoubleArray::values(const char* name) const {
     throw std::invalid_argument(std::string(name) + " must be an array of real numbers" + found +
                                 ".");
   };
+  // ensure() swallows NumPy's own error, so that ours names the argument.
   const py::array array = py::array::ensure(given_);
   if (!given_ || given_.is_none() || !array) refuse("");
   const char kind = array.dtype().kind();
   if (kind == 'c') refuse(", not of complex ones");
   if (kind == 'U' || kind == 'S' || (kind == 'O' && holds_text(array))) refuse(", not of text");
+  // Objects may be numbers of any kind, as of nested lists of unequal types; NumPy's cast then
+  // finds those that are none.
   if (std::strchr("biufO", kind) == nullptr) refuse("");
   const Values values = Values::ensure(array);
   if (!values) refuse("");
@@ -150,6 +155,7 @@ std::vector<std::array<int, 3>> triangles_from(const py::object& array, std::siz
   if (!rows || rows.ndim() != 2 || rows.shape(1) != 3) {
     throw std::invalid_argument("triangles must have shape (n, 3).");
   }
+  // Laid out in one row after the shape is known.
   const std::vector<int> corners = integers_from(rows.attr("ravel")(), "triangles");
   std::vector<std::array<int, 3>> triangles;
   triangles.reserve(corners.size() / 3);

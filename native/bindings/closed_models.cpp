@@ -31,6 +31,7 @@ py::array_t<bool> covered_by(const ClosedModel& model, const DoubleArray& points
   py::array_t<bool> result(static_cast<py::ssize_t>(places.size()));
   bool* const covered = result.mutable_data();
   const py::gil_scoped_release release;
+  // Along z. Until it is returned nobody else has the array, so it may be written without the GIL.
   const production::AxisRays rays(model, 2);
   for (std::size_t i = 0; i < places.size(); ++i) covered[i] = rays.meets_above(places[i]);
   return result;

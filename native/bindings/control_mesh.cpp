@@ -49,6 +49,7 @@ std::vector<std::array<int, 2>> edges_where(const mesh::Topology& t, bool border
   std::vector<std::array<int, 2>> edges;
   for (int h = 0; h < t.half_edge_count(); ++h) {
     const bool wanted = border ? t.twin(h) < 0 : t.is_crease(h);
+    // One of both half-edges, so that an edge comes once.
     if (wanted && t.is_edge_front(h)) edges.push_back({t.origin(h), t.origin(t.next(h))});
   }
   return edges;

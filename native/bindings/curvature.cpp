@@ -91,6 +91,7 @@ void bind_curvature(py::module_& module) {
                              "(k,) whether the value is one from beside an irregular knot.");
 
   const py::object surface = module.attr("LimitSurface");
+  // Added to the class that is bound elsewhere: each subject has a file of its own.
   surface.attr("curvature") = py::cpp_function(
       &curvatures, py::name("curvature"), py::is_method(surface), py::arg("cells"), py::arg("uv"),
       "Principal curvatures and directions, Gaussian and mean curvature as Curvatures. cells: "

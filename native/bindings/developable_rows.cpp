@@ -91,6 +91,7 @@ void bind_developable_rows(py::module_& module) {
       "the surface as it is when made; points= tells of others.")
       .def(py::init([](const surface::LimitSurface& surface, const py::object& faces) {
              RuledRow row(surface, integers_from(faces, "faces"));
+             // A copy of the surface, as it keeps to that.
              return OneRow{surface, std::move(row)};
            }),
            py::arg("surface"), py::arg("faces"),

@@ -174,6 +174,7 @@ void bind_disc_map(py::module_& module) {
   py::class_<PlaceSearch>(module, "PlaceSearch",
                           "Which point of a disc is laid at a place of the plane: the inverse of "
                           "a DiscMap.")
+      // The search refers to the map.
       .def(py::init<const DiscMap&>(), py::arg("map"), py::keep_alive<1, 2>())
       .def("find", &found_places, py::arg("places"),
            "(triangles (k,), weights (k, 3)) at places (k, 2): the triangle of the map's disc that "

@@ -95,6 +95,7 @@ int layer_of(dxf::DxfDrawing& drawing, const std::string& name) {
                                 "\".");
   }
   const int count = static_cast<int>(drawing.layers.size());
+  // The first seven of AutoCAD's colours in turn.
   drawing.layers.push_back({name, 1 + count % 7, 0.25});
   return count;
 }

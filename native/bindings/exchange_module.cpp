@@ -107,6 +107,7 @@ exchange::CadCurve curve_from(const py::handle& value) {
       parts.size() == 4 ? py::object(parts[3]) : parts[2].attr("control_points");
   curve.curve.knots = numbers_from(DoubleArray(knots), "knots");
   curve.curve.points = points_from(DoubleArray(points), "control_points");
+  // What is none is refused with the curve.
   curve.curve.degree =
       static_cast<int>(curve.curve.knots.size()) - static_cast<int>(curve.curve.points.size()) - 1;
   return curve;
@@ -163,6 +164,7 @@ py::dict convert_and_write(WriteFile write_file, const surface::LimitSurface& su
   exchange::CadReport report;
   {
     const py::gil_scoped_release release;
+    // part_of() refers to it, so it has to be there as long as the file is written.
     const surface::Progress whole = options.progress;
     surface::tell(whole, 0.0, 1.0);
     const conversion::PatchSet patches =
@@ -242,11 +244,13 @@ void bind_place_error(py::module_& module) {
       PyExc_ValueError, nullptr);
   if (type == nullptr) throw py::error_already_set();
   module.add_object("PlaceError", type);
+  // The module holds the class for good, so that the translator, which takes no state, finds it.
   static PyObject* const place_error = type;
   py::register_local_exception_translator([](std::exception_ptr error) {
     try {
       if (error) std::rethrow_exception(error);
     } catch (const conversion::PlaceError& found) {
+      // Made here and not by its message alone, for the attributes.
       const py::object raised = py::reinterpret_borrow<py::object>(place_error)(found.what());
       raised.attr("point") = to_array(std::vector{found.point()}).reshape({py::ssize_t{3}});
       if (!found.vertices().empty()) {

@@ -101,6 +101,7 @@ Eigen::MatrixXd matrix_from(const DoubleArray& array, const char* name) {
   if (values.ndim() != 2) {
     throw std::invalid_argument(std::string(name) + " must have the shape (n, d).");
   }
+  // Copied on return, from rows to Eigen's columns.
   return Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>(
       values.data(), values.shape(0), values.shape(1));
 }

@@ -71,6 +71,7 @@ void show(SheetBuilder& sheet, const Vector2d& corner, const Vector2d& size, con
   const std::uint8_t* at = dots.data();
   picture.dots.resize(static_cast<std::size_t>(picture.columns) * picture.rows);
   for (std::uint32_t& dot : picture.dots) {
+    // 0xRRGGBB, as a Picture has them.
     dot = std::uint32_t{at[0]} << 16 | std::uint32_t{at[1]} << 8 | at[2];
     at += 3;
   }
@@ -89,6 +90,7 @@ void put_text(SheetBuilder& sheet, const Vector2d& at, const std::string& words,
   }
   const drawing::TextStyle style{size, bold, colour_from(colour), blank};
   drawing::OrientedBox box = SheetBuilder::text_box(words, style, at);
+  // The box is centred; it is moved by half its width to the right for 0, to the left for 1.
   box.centre.x() += (1.0 - 2.0 * align) * box.half.x();
   sheet.put_text(words, style, box);
 }
@@ -157,6 +159,7 @@ void bind_figure_sheet(py::module_& module) {
           "write",
           [](const SheetBuilder& sheet, const std::filesystem::path& path) {
             const py::gil_scoped_release release;
+            // A copy is written: the page may be drawn on further.
             drawing::write_sheet(SheetBuilder(sheet).finish(), path.string());
           },
           py::arg("path"),

@@ -16,6 +16,7 @@ using analysis::Gradient;
 
 py::array_t<double> gradient_array(const Gradient& gradient) {
   py::array_t<double> array({gradient.rows(), Eigen::Index{3}});
+  // Gradients are stored row by row, as NumPy has them.
   std::copy_n(gradient.data(), gradient.size(), array.mutable_data());
   return array;
 }

@@ -85,6 +85,7 @@ void bind_hull_body(py::module_& module) {
               const py::gil_scoped_release release;
               body.join(std::move(appendages));
             }
+            // Warnings may run Python's code, so the GIL is held again.
             for (const std::string& name : body.joined()->idle_cuts()) warn_of_idle_cut(name);
           },
           py::arg("appendages"),
@@ -145,6 +146,7 @@ void bind_hull_body(py::module_& module) {
           "have in common, and whether join([]) counts that once; where surfaces lie in one "
           "another along an area it can't, and the volume is an estimate. What encloses nothing "
           "overlaps nothing.")
+      // The very object that it was made of, which it keeps alive.
       .def_property_readonly("surface", &analysis::HullBody::surface,
                              py::return_value_policy::reference)
       .def_property_readonly("mirrored", &analysis::HullBody::mirrored)
@@ -170,6 +172,7 @@ void bind_hull_body(py::module_& module) {
             const double length = normal.norm();
             if (!(length > 0.0)) throw std::invalid_argument("normal must not be zero.");
             const py::gil_scoped_release release;
+            // The same plane, its normal of unit length.
             return body.immersion({normal / length, offset / length});
           },
           py::arg("normal"), py::arg("offset"),

@@ -144,6 +144,7 @@ void bind_limit_surface(py::module_& module) {
       "among the processors, which does not change the results. copy.copy() gives a surface of its "
       "own, of the same layout, much sooner than a new one is made.")
       .def(py::init([](const mesh::ControlMesh& mesh, const std::string& scheme) {
+             // Everything that may be refused by name, before the GIL is released.
              const surface::Scheme chosen = scheme_from(scheme);
              const py::gil_scoped_release release;
              return surface::LimitSurface(mesh, chosen, shared_bases());
@@ -194,6 +195,7 @@ void bind_limit_surface(py::module_& module) {
           "answer until their update(); FormNumbers, MichellIntegral and HullCurves for good, and "
           "are made anew. All else keeps to the points that it was made of, ShownPoints until "
           "their update(), SurfaceTree until its refit().")
+      // Layout and bases are shared, control points are its own.
       .def("__copy__", [](const surface::LimitSurface& surface) { return surface; })
       .def_property_readonly("revision", &surface::LimitSurface::revision,
                              "How often set_points() was called.")

@@ -29,6 +29,7 @@ production::SegmentMaking making_from(const std::string& name) {
 
 std::string direction_name(const ModelSegment& segment) {
   const int direction = segment.verdict.direction;
+  // Numbered +x, -x, +y, -y, +z, -z.
   return std::string(1, "+-"[direction % 2]) + "xyz"[direction / 2];
 }
 

@@ -17,6 +17,8 @@ namespace {
 
 // A body, and what it is of.
 struct OwnPatchBody {
+  // Before the body, which refers to it: members are made in this order. For the same reason it is
+  // never moved, and is made by address.
   conversion::PatchPieces pieces;
   conversion::PatchBody body;
 

@@ -106,6 +106,7 @@ py::tuple evaluate_patches(const conversion::PatchSet& set, const py::object& pa
 
 // The half-edges of a patch's cells, (0, 0) where it stands for none.
 py::array_t<int> half_edges(const conversion::PatchSet& set, py::ssize_t index) {
+  // The number that patch_at() made of one that counts from the end.
   const auto at = static_cast<size_t>(&patch_at(set, index) - set.patches.data());
   const conversion::Block block = set.blocks.empty() ? conversion::Block{} : set.blocks[at];
   return to_array(block.sides).reshape({py::ssize_t{block.count_u}, py::ssize_t{block.count_v}});

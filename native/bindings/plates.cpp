@@ -46,6 +46,7 @@ py::list named_sides(const OnePlate& one, const std::vector<production::PlateSid
     auto& line = joined.back().second;
     line.insert(line.end(), lines[i].begin() + (goes_on ? 1 : 0), lines[i].end());
   }
+  // Where the loop begins within such a butt, its last line goes on as the first.
   if (joined.size() > 1 && loop.back().mirrored && loop.back().curve == loop.front().curve) {
     auto& first = joined.front().second;
     first.insert(first.begin(), joined.back().second.begin(), joined.back().second.end() - 1);
@@ -166,6 +167,7 @@ void bind_flat_plate(py::module_& module) {
             }
             const int n = one.flat.mesh.node_count;
             for (std::size_t i = 0; one.flat.axis && i < one.flat.mesh.elements.size(); ++i) {
+              // The mirror image turns the other way round, so two corners change places.
               rows.push_back({rows[i][1] + n, rows[i][0] + n, rows[i][2] + n});
             }
             return rows_of(rows);

@@ -51,6 +51,7 @@ BoundReshaped solved(const Reshape& reshape, const DoubleArray& shifts,
                               told = points_from(prescribed, "prescribed");
   const std::vector<double> of_conditions = numbers_from(values, "values");
   if (!gradients.is_none()) {
+    // Before anything is solved: the control points could only follow a shift that folds.
     refuse_folds(reshape, gradients_from(DoubleArray(gradients)));
   }
   const py::gil_scoped_release release;

@@ -24,6 +24,7 @@ std::vector<analysis::SectionCurve> section_across(const surface::LimitSurface& 
                                                    const py::object& axis, double position,
                                                    const std::optional<double>& chord_tolerance,
                                                    const std::optional<double>& flat_tolerance) {
+  // Of unit length first, so that the position is in metres whatever length was given.
   const analysis::Plane plane =
       py::isinstance<py::str>(axis)
           ? analysis::plane_across(axis_from(py::cast<std::string>(axis)), position)
@@ -51,6 +52,7 @@ std::vector<StretchArrays> stretches_of(const analysis::SectionCurve& curve) {
     arrays.points = part(curve.points);
     arrays.tangents = part(curve.tangents);
     arrays.curvatures = part(curve.curvatures);
+    // At a knuckle the curve has the tangent before it; the stretch needs the one after.
     arrays.tangents.front() = s.first_tangent;
     arrays.curvatures.front() = s.first_curvature;
   }

@@ -11,6 +11,8 @@ namespace {
 // A view of the object's own numbers, which stay where they are.
 py::array_t<float> coordinates(const py::object& self) {
   const std::vector<float>& numbers = self.cast<const surface::ShownPoints&>().coordinates();
+  // The numbers stay at one address, as room for all images was kept when they were made; the view
+  // keeps their owner alive.
   py::array_t<float> view({static_cast<py::ssize_t>(numbers.size() / 3), py::ssize_t{3}},
                           numbers.data(), self);
   view.attr("flags").attr("writeable") = false;

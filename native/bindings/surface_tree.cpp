@@ -76,6 +76,7 @@ RayHits find_ray_hits(const surface::SurfaceTree& tree, const DoubleArray& origi
       const auto hit = surface::first_ray_hit(tree, {from[i], along[i], 0.0, max_distance});
       hits.all.push_back(hit.value_or(surface::RayHit{}));
     } catch (const std::invalid_argument& error) {
+      // The core knows one ray alone, not its number.
       throw std::invalid_argument("origins[" + std::to_string(i) + "], directions[" +
                                   std::to_string(i) + "]: " + error.what());
     }

@@ -27,6 +27,7 @@ FormTarget target_of(const std::string& name, std::optional<double> station,
                      const std::array<double, 3>& direction) {
   FormTarget target;
   target.is_section = name == "section_area";
+  // Given with another name it would be left unused in silence.
   if (target.is_section != station.has_value()) {
     throw std::invalid_argument("A station is given with \"section_area\", and with it only.");
   }

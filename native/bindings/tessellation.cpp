@@ -76,6 +76,7 @@ void bind_tessellation(py::module_& module) {
                              "(k, 4, 3) the same, normals[normal_indices].");
 
   const py::object surface = module.attr("LimitSurface");
+  // Added to the class that is bound elsewhere, as in curvature.cpp.
   surface.attr("tessellate") = py::cpp_function(
       &tessellate_as_asked, py::name("tessellate"), py::is_method(surface),
       py::arg("n") = py::none(), py::arg("chord_tolerance") = py::none(),

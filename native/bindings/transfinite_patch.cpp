@@ -26,6 +26,7 @@ std::vector<Vector2d> domain_places_from(const TransfinitePatch& patch, const Do
     const Vector2d place(values.at(i, 0), values.at(i, 1));
     for (std::size_t k = 0; k < domain.size(); ++k) {
       const Vector2d way = domain[(k + 1) % domain.size()] - domain[k], from = place - domain[k];
+      // To the left of every side; not a number is to the left of none.
       if (way[0] * from[1] - way[1] * from[0] >= -kBeyondDomain) continue;
       throw std::invalid_argument("places[" + std::to_string(i) +
                                   "] is not within the patch's domain.");

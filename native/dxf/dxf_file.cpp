@@ -31,6 +31,7 @@ constexpr int kPlanar = 8;  // a flag of splines
 constexpr std::array kLineWeights = {5,  9,  13, 15, 18,  20,  25,  30,  35,  40,  50, 53,
                                      60, 70, 80, 90, 100, 106, 120, 140, 158, 200, 211};
 
+// The format refuses other weights, so the nearest is taken; `width` is in mm.
 int line_weight(double width) {
   const double wanted = 100.0 * width;
   return *std::min_element(kLineWeights.begin(), kLineWeights.end(), [wanted](int a, int b) {
@@ -81,6 +82,8 @@ class ScratchFolder {
 };
 
 Eigen::AlignedBox2d box_of(const DxfDrawing& drawing) {
+  // By the splines' control points: they enclose the curve (convex hull), which is all that a first
+  // view needs.
   Eigen::AlignedBox2d box;
   for (const DxfPolyline& line : drawing.polylines) {
     for (const Vector2d& point : line.points) box.extend(point);
@@ -105,6 +108,7 @@ void write_point_variable(DL_WriterA& file, const char* name, const Vector2d& po
 void write_header(DL_Dxf& dxf, DL_WriterA& file, const DxfDrawing& drawing) {
   dxf.writeHeader(file);
   file.dxfString(9, "$INSUNITS");
+  // 6 and 4 are the format's numbers of metre and millimetre.
   file.dxfInt(70, drawing.unit == DxfUnit::kMetre ? 6 : 4);
   file.dxfString(9, "$MEASUREMENT");
   file.dxfInt(70, 1);  // metric
@@ -112,6 +116,7 @@ void write_header(DL_Dxf& dxf, DL_WriterA& file, const DxfDrawing& drawing) {
   write_point_variable(file, "$EXTMIN", box.min());
   write_point_variable(file, "$EXTMAX", box.max());
   file.dxfString(9, "$LTSCALE");
+  // Dashes are in mm of paper, lengths in the drawing's unit: this brings the one to the other.
   file.dxfReal(40, drawing.paper_millimetre);
   file.sectionEnd();
 }
@@ -120,6 +125,7 @@ void write_tables(DL_Dxf& dxf, DL_WriterA& file, const DxfDrawing& drawing) {
   file.sectionTables();
   dxf.writeVPort(file);
   file.tableLinetypes(5);
+  // Readers look for these three in every file, also where no layer has them.
   for (const char* name : {"BYBLOCK", "BYLAYER", "CONTINUOUS"}) {
     dxf.writeLinetype(file, DL_LinetypeData(name, name, 0, 0, 0.0));
   }
@@ -133,6 +139,7 @@ void write_tables(DL_Dxf& dxf, DL_WriterA& file, const DxfDrawing& drawing) {
   file.tableEnd();
 
   file.tableLayers(static_cast<int>(drawing.layers.size()) + 1);
+  // The weight 25 is 0.25 mm.
   dxf.writeLayer(file, DL_LayerData("0", 0), DL_Attributes("", 7, 25, "CONTINUOUS", 1.0));
   for (const DxfLayer& layer : drawing.layers) {
     dxf.writeLayer(
@@ -142,6 +149,7 @@ void write_tables(DL_Dxf& dxf, DL_WriterA& file, const DxfDrawing& drawing) {
   file.tableEnd();
 
   file.tableStyle(1);
+  // A height of 0 leaves it to each text; 2.5 is only the height last used.
   dxf.writeStyle(file, DL_StyleData(kTextStyle, 0, 0.0, 1.0, 0.0, 0, 2.5, "txt", ""));
   file.tableEnd();
   dxf.writeView(file);
@@ -156,6 +164,7 @@ void write_tables(DL_Dxf& dxf, DL_WriterA& file, const DxfDrawing& drawing) {
 }
 
 void write_blocks(DL_Dxf& dxf, DL_WriterA& file) {
+  // The blocks of model space and of two layouts on paper are there in every file, empty or not.
   file.sectionBlocks();
   for (const char* name : {"*Model_Space", "*Paper_Space", "*Paper_Space0"}) {
     dxf.writeBlock(file, DL_BlockData(name, 0, 0.0, 0.0, 0.0));
@@ -165,12 +174,15 @@ void write_blocks(DL_Dxf& dxf, DL_WriterA& file) {
 }
 
 DL_Attributes on_layer(const DxfDrawing& drawing, int layer) {
+  // 256 and -1 are the format's "by layer".
   return DL_Attributes(drawing.layers.at(layer).name, 256, -1, "BYLAYER", 1.0);
 }
 
 void write_polyline(DL_Dxf& dxf, DL_WriterA& file, const DxfPolyline& line,
                     const DL_Attributes& attributes) {
   const auto& points = line.points;
+  // An entity is closed by its flag; with the first point again at the end it would have an edge of
+  // no length.
   const bool closed = points.size() > 2 && points.front() == points.back();
   const int count = static_cast<int>(points.size()) - (closed ? 1 : 0);
   if (count == 2) {
@@ -192,6 +204,7 @@ void begin_spline(DL_Dxf& dxf, DL_WriterA& file, const Spline& spline, int flags
                   const DL_Attributes& attributes) {
   const int points = static_cast<int>(spline.points.size());
   const int knots = static_cast<int>(spline.knots.size());
+  // Of degree 3.
   dxf.writeSpline(file, DL_SplineData(3, knots, points, 0, flags), attributes);
   for (const double knot : spline.knots) dxf.writeKnot(file, DL_KnotData(knot));
 }
@@ -200,6 +213,7 @@ void write_spline(DL_Dxf& dxf, DL_WriterA& file, const DxfSpline& spline,
                   const DL_Attributes& attributes) {
   begin_spline(dxf, file, spline, kPlanar, attributes);
   for (const Vector2d& point : spline.points) {
+    // With the weight 1 throughout: not rational.
     dxf.writeControlPoint(file, DL_ControlPointData(point.x(), point.y(), 0.0, 1.0));
   }
 }
@@ -255,6 +269,8 @@ bool is_complete(const std::string& content) {
 }  // namespace
 
 void write_dxf(const DxfDrawing& drawing, const std::string& path) {
+  // dxflib writes to a name only. It writes into a folder of its own, and what is moved to `path`
+  // is known to be whole.
   const ScratchFolder scratch(path);
   {
     DL_Dxf dxf;

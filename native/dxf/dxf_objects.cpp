@@ -58,6 +58,7 @@ void write_plot_styles(DL_WriterA& file) {
   begin_object(file, "ACDBDICTIONARYWDFLT", kPlotStyles, kRoot);
   write_entries(file, {{"Normal", kNormalPlotStyle}});
   file.dxfString(100, "AcDbDictionaryWithDefault");
+  // The default is the one entry itself.
   file.dxfHex(340, kNormalPlotStyle);
   begin_object(file, "ACDBPLACEHOLDER", kNormalPlotStyle, kPlotStyles);
 }
@@ -70,6 +71,7 @@ void write_standard_multiline(DL_WriterA& file) {
   file.dxfInt(70, 0);
   file.dxfString(3, "");
   file.dxfInt(62, kByLayer);
+  // The caps are square, at 90 degrees; the two lines half a unit to either side.
   file.dxfReal(51, 90.0);
   file.dxfReal(52, 90.0);
   file.dxfInt(71, 2);
@@ -88,17 +90,23 @@ struct Layout {
 
 // What a layout says of plotting: nothing is set up, 1:1.
 void write_page(DL_WriterA& file, bool is_model) {
+  // The flags are a standard scale (16), plotted with plot styles (32) and line weights (128), and
+  // viewports drawn first (512).
   constexpr int kPlotFlags = 688, kModelType = 1024;
   file.dxfString(100, "AcDbPlotSettings");
   file.dxfString(1, "");
   file.dxfString(2, "none_device");
   file.dxfString(4, "");
   file.dxfString(6, "");
+  // Margins, size of the paper, origin and window (40 to 49, 140, 141): all nothing. The scale
+  // (142, 143) is 1 to 1.
   for (int code = 40; code <= 49; ++code) file.dxfReal(code, 0.0);
   for (int code : {140, 141}) file.dxfReal(code, 0.0);
   for (int code : {142, 143}) file.dxfReal(code, 1.0);
   file.dxfInt(70, is_model ? kPlotFlags | kModelType : kPlotFlags);
   for (int code : {72, 73}) file.dxfInt(code, 0);
+  // Model space plots what the screen shows (0), scaled to fit (75: 0); a layout itself (5) at 1:1
+  // (16).
   file.dxfInt(74, is_model ? 0 : 5);
   file.dxfString(7, "");
   file.dxfInt(75, is_model ? 0 : 16);
@@ -130,6 +138,7 @@ void write_layout(DL_WriterA& file, const Layout& layout) {
   write_point(file, 11, 420.0, 297.0);
   write_point(file, 12, 0.0, 0.0, 0.0);
   // A box of nothing.
+  // The ends are the wrong way round, so that the first thing extended by becomes the box.
   write_point(file, 14, 1e20, 1e20, 1e20);
   write_point(file, 15, -1e20, -1e20, -1e20);
   file.dxfReal(146, 0.0);

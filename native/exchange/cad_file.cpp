@@ -29,11 +29,13 @@ constexpr double kSameColour = 1e-6;
 // Shares of the time that the steps take, about.
 constexpr double kModelDone = 0.05, kTextDone = 0.3;
 
+// "3 of 4 faces".
 std::string of(int have, int want, const std::string& what) {
   return std::to_string(have) + " of " + std::to_string(want) + " " + what;
 }
 
 std::vector<CadRegion> regions_of(const CadModel& model) {
+  // By name, as the report has them: the two are compared one by one.
   std::map<std::string, CadRegion> regions;
   for (const std::string& name : model.regions) {
     regions[name].name = name;
@@ -67,6 +69,7 @@ std::string layer_difference(const CadModel& model, const CadOptions& options,
     }
   }
   for (const CadCurve& curve : model.curves) {
+    // The report sorts its layers.
     if (!std::ranges::binary_search(found.layers, curve.layer)) {
       return "no layer \"" + curve.layer + "\"";
     }
@@ -76,6 +79,8 @@ std::string layer_difference(const CadModel& model, const CadOptions& options,
 
 // Whether some of the solids that were read back are turned inside out.
 bool has_turned_solid(const CadModel& model, const CadReport& found) {
+  // All is there, and only the volume is another: then the reader took the outside of a solid for
+  // its inside.
   return model.brep.solids > 0 && found.solids == model.brep.solids && found.closed &&
          !(std::abs(*found.volume - model.integrals.volume) <=
            kIntegralTolerance * model.integrals.area * model.size);
@@ -98,12 +103,14 @@ std::string difference(const CadModel& model, const CadOptions& options, const C
   // By the area times the size, for the volume of a thin shell may be nearly nothing.
   if (found.closed && !(std::abs(*found.volume - model.integrals.volume) <=
                         kIntegralTolerance * area * model.size)) {
+    // With the sign of the other, all faces point the other way.
     return *found.volume * model.integrals.volume < 0.0 ? "a solid turned inside out"
                                                         : "another volume";
   }
   const int curves = static_cast<int>(model.curves.size());
   if (found.curves != curves) return of(found.curves, curves, "curves");
   if (found.unit != name_of(options.unit)) return "another unit of length";
+  // What a file can hold of the name: controls have become blanks.
   if (found.product != decode_step_string(encode_step_string(options.name))) {
     return "the name \"" + found.product + "\"";
   }
@@ -119,11 +126,14 @@ class FileWriter {
   CadReport write(const conversion::PatchSet& patches) {
     surface::tell(options_.progress, 0.0, 1.0);
     try {
+      // Each step in a session of its own, as read_cad_report() opens one itself.
       in_session([&] { model_ = make_cad_model(patches, options_); });
       surface::tell(options_.progress, kModelDone, 1.0);
       CadReport report = written_and_read();
+      // Once: every face is tried for the first one, so that another time would find no other.
       if (has_turned_solid(model_, report)) {
         in_session([&] { model_.brep.shape = with_telling_first_faces(model_.brep.shape); });
+        // What was written to the first one is gone with it.
         file_ = make_file();
         report = written_and_read();
       }
@@ -135,6 +145,7 @@ class FileWriter {
       // Only now, after it was found to say what was meant, does it take its name.
       file_->replace();
       return report;
+      // Also of what refuse() throws above.
     } catch (const conversion::PlaceError& error) {
       refuse_with_face(patches, error);
     }
@@ -158,6 +169,7 @@ class FileWriter {
   CadReport written_and_read() {
     std::string text;
     in_session([&] {
+      // As text in memory: files are written in one place, which tells what went wrong.
       text = text_of_(model_, options_, surface::part_of(options_.progress, kModelDone, kTextDone));
     });
     file_->write(text);
@@ -167,6 +179,7 @@ class FileWriter {
   }
 
   [[noreturn]] void refuse(const std::string& wrong, const CadReport& report) const {
+    // The fault itself, else an edge that should not be free, else what most often makes trouble.
     const Vector3d place = !report.valid && report.at_fault ? *report.at_fault
                            : report.at_free_edge && report.free_edges > model_.brep.free_edges
                                ? *report.at_free_edge
@@ -188,8 +201,10 @@ class FileWriter {
   // Names the face of the control mesh where it is known, and no point is.
   [[noreturn]] void refuse_with_face(const conversion::PatchSet& patches,
                                      const conversion::PlaceError& error) const {
+    // These say more exactly what is meant.
     if (!error.vertices().empty()) throw error;
     Vector3d point = error.point();
+    // The control mesh is of the port half alone.
     if (options_.mirrored && point.y() < 0.0) point.y() = -point.y();
     const int face = conversion::nearest_control_face(patches, point);
     if (face < 0) throw error;

@@ -55,6 +55,7 @@ std::vector<std::string> regions_of(const conversion::PatchSet& all,
                                     const conversion::PatchSet& kept,
                                     const std::vector<bool>& is_kept,
                                     const std::vector<std::string>& given) {
+  // By the patches that are left, so nothing has to be picked.
   if (given.empty()) return find_regions(kept);
   if (given.size() != all.patches.size()) {
     throw std::invalid_argument("regions must be one for each of the " +
@@ -63,6 +64,7 @@ std::vector<std::string> regions_of(const conversion::PatchSet& all,
   }
   std::vector<std::string> regions;
   for (std::size_t p = 0; p < given.size(); ++p) {
+    // Given for all patches, also for those without area that make no face.
     if (is_kept[p]) regions.push_back(given[p].empty() ? "shell" : given[p]);
   }
   return regions;
@@ -79,6 +81,7 @@ void check_curve(const CadCurve& curve) {
         "there must be degree + 1 knots more than control points, and at least degree + 1 of "
         "these.");
   }
+  // Not strictly: knots may be repeated.
   if (!std::ranges::is_sorted(c.knots) || !(c.knots.back() > c.knots.front())) {
     refuse("knots must ascend.");
   }
@@ -89,14 +92,17 @@ void check_curve(const CadCurve& curve) {
 
 std::vector<CadCurve> curves_of(const CadOptions& options, double size) {
   std::vector<CadCurve> curves;
+  // A copy, which is clamped and mirrored.
   for (CadCurve curve : options.curves) {
     check_curve(curve);
     curve.curve = conversion::clamped(curve.curve);
+    // The image would be the same curve a second time.
     const bool in_plane = std::ranges::all_of(curve.curve.points, [&](const Vector3d& p) {
       return std::abs(p.y()) <= kOnCentrePlane * size;
     });
     curves.push_back(curve);
     if (!options.mirrored || in_plane) continue;
+    // Subtracted from zero, as the negative of 0 would be -0.
     for (Vector3d& point : curve.curve.points) point.y() = 0.0 - point.y();
     curves.push_back(std::move(curve));
   }
@@ -109,15 +115,18 @@ std::vector<CadCurve> curves_of(const CadOptions& options, double size) {
 void turn_long_sides_to_v(conversion::PatchSet& set) {
   for (std::size_t p = 0; p < set.patches.size(); ++p) {
     if (set.patches[p].count_u <= set.patches[p].count_v) continue;
+    // A turned patch begins a corner later, so its corners and sides move on by one.
     set.patches[p] = set.patches[p].turned();
     std::rotate(set.corners[p].begin(), set.corners[p].begin() + 1, set.corners[p].end());
     std::rotate(set.sides[p].begin(), set.sides[p].begin() + 1, set.sides[p].end());
   }
+  // They tell of (u, v) as it was.
   set.blocks.clear();
 }
 
 // Of which a solid is closed in the centre plane.
 bool is_on_one_side(const conversion::PatchSet& set) {
+  // From zero, so that a set wholly on one side reaches nothing on the other.
   double low = 0.0, high = 0.0;
   for (const conversion::BSplinePatch& patch : set.patches) {
     for (const Vector3d& point : patch.control_points) {
@@ -153,6 +162,7 @@ CadModel make_cad_model(const conversion::PatchSet& patches, const CadOptions& o
   patches.check();
   CadModel model;
   if (options.mirrored || (options.solid && is_on_one_side(patches))) {
+    // Only where both sides are to meet there, or a cap is to close it.
     conversion::refuse_near_centre_line(patches.source, patches.size());
     const std::string gap = conversion::gap_warning(patches.source);
     if (!gap.empty()) model.warnings.push_back(gap);
@@ -172,10 +182,13 @@ CadModel make_cad_model(const conversion::PatchSet& patches, const CadOptions& o
   }
   turn_long_sides_to_v(set);
   conversion::join_borders(set);
+  // After borders are joined: caps are made from their curves.
   const conversion::Closing closing =
       options.solid ? conversion::closing_of(set) : conversion::Closing{};
   model.brep = make_brep_shape(set, closing);
+  // Without a solid open shells are well, and told as such.
   if (options.solid) check_solid(model.brep);
+  // In the order of the faces: patches, then caps.
   for (const conversion::Cap& cap : closing.caps) model.regions.push_back(region_of(cap.kind));
   if (options.appendages.empty()) {
     for (const conversion::BSplinePatch& patch : set.patches) extend_box(model.box, patch);
@@ -185,6 +198,7 @@ CadModel make_cad_model(const conversion::PatchSet& patches, const CadOptions& o
     }
     join_appendages(model.brep, model.regions, options.appendages,
                     surface::part_of(options.progress, 0.0, kJoined));
+    // Of faces that were cut the surfaces are still whole, as in the report of the file read back.
     model.box = box_of(model.brep.shape);
   }
   model.integrals = integrals_of(model.brep.shape);

@@ -32,6 +32,7 @@ namespace {
 constexpr double kRead = 0.8;
 
 int count(const TopoDS_Shape& shape, TopAbs_ShapeEnum type) {
+  // Each once, though several shapes may share it.
   TopTools_IndexedMapOfShape found;
   TopExp::MapShapes(shape, type, found);
   return found.Extent();
@@ -44,6 +45,7 @@ void count_edges(const TopoDS_Shape& shape, CadReport& report) {
   TopExp::MapShapesAndAncestors(shape, TopAbs_EDGE, TopAbs_FACE, faces);
   for (int i = 1; i <= faces.Extent(); ++i) {
     const TopoDS_Edge& edge = TopoDS::Edge(faces.FindKey(i));
+    // Edges without a curve, at collapsed sides: they border on nothing.
     if (BRep_Tool::Degenerated(edge)) continue;
     if (faces(i).IsEmpty()) {
       ++report.curves;
@@ -78,10 +80,12 @@ Areas measure(const TopoDS_Shape& shape, CadReport& report) {
   conversion::SurfaceIntegrals sum;
   for (TopExp_Explorer face(shape, TopAbs_FACE); face.More(); face.Next()) {
     const conversion::SurfaceIntegrals own = integrals_of_face(TopoDS::Face(face.Current()));
+    // Layers are told per face, so that each is integrated once.
     areas.Bind(face.Current(), own.area);
     sum += own;
   }
   report.area = sum.area;
+  // Both were counted before.
   report.closed = report.faces > 0 && report.free_edges == 0;
   if (report.closed) report.volume = sum.volume;
   return areas;
@@ -94,6 +98,7 @@ Eigen::AlignedBox3d box_of(const TopoDS_Shape& shape) {
   TopTools_IndexedMapOfShape faces;
   TopExp::MapShapes(shape, TopAbs_FACE, faces);
   for (int f = 1; f <= faces.Extent(); ++f) {
+    // By the surface's own range, not the face's borders: of whole patches they are the same.
     const BRepAdaptor_Surface surface(TopoDS::Face(faces(f)), Standard_False);
     if (surface.GetType() != GeomAbs_BSplineSurface) continue;
     const double u0 = surface.FirstUParameter(), u1 = surface.LastUParameter();
@@ -122,10 +127,12 @@ void find_layers(const std::vector<CadLayer>& layers, const Areas& areas, CadRep
   for (const CadLayer& layer : layers) {
     if (!std::ranges::count(report.layers, layer.name)) report.layers.push_back(layer.name);
     for (const CadLayer::Member& member : layer.members) {
+      // Curves have layers too, but make no region.
       if (member.shape.ShapeType() != TopAbs_FACE) continue;
       CadRegion& region = regions[layer.name];
       if (region.faces == 0) region.colour = member.colour;
       ++region.faces;
+      // None of a face that is in a layer, but not in the shape.
       if (const double* area = areas.Seek(member.shape)) region.area += *area;
     }
   }
@@ -154,6 +161,7 @@ CadReport read_cad_report(const std::string& path, const std::string& name,
     surface::tell(progress, 0.95, 1.0);
     report.solids = count(content.shape, TopAbs_SOLID);
     report.shells = count(content.shape, TopAbs_SHELL);
+    // Before measure(), which asks for it.
     report.faces = count(content.shape, TopAbs_FACE);
     count_edges(content.shape, report);
     const Areas areas = measure(content.shape, report);
@@ -161,6 +169,7 @@ CadReport read_cad_report(const std::string& path, const std::string& name,
     find_layers(content.layers, areas, report);
     surface::tell(progress, 1.0, 1.0);
     return report;
+    // Open CASCADE's exceptions derive from nothing that others catch.
   } catch (const Standard_Failure& failure) {
     throw files::FileError(refusal + describe(failure));
   }

@@ -35,6 +35,7 @@ namespace {
 using Entity = Handle(IGESData_IGESEntity);
 
 Handle(TCollection_HAsciiString) text_of(const std::string& utf8) {
+  // IGES is ASCII. With STEP's directives one reading serves for both formats.
   return new TCollection_HAsciiString(encode_step_string(utf8).c_str());
 }
 
@@ -44,6 +45,8 @@ class IgesText {
       : model_(model),
         options_(options),
         progress_(progress),
+        // The second argument is the mode: B-rep entities (186, 514), no trimmed surfaces by
+        // themselves.
         writer_(Interface_Static::CVal("write.iges.unit"), 1) {}
 
   std::string make() {
@@ -51,6 +54,7 @@ class IgesText {
     for (std::size_t f = 0; f < model_.brep.faces.size(); ++f) {
       const Entity entity = entity_of(model_.brep.faces[f]);
       if (entity.IsNull()) continue;  // the file read back will show it
+      // Levels are numbered as they are first met, from 1: on level 0 is what has none.
       put_on_level(entity, model_.regions[f]);
       entity->InitColor(colour_of(model_.regions[f]));
     }
@@ -59,6 +63,7 @@ class IgesText {
     }
     for (const CadCurve& curve : model_.curves) add_curve(curve);
     name_levels();
+    // After everything was added: it makes the model ready to be written.
     writer_.ComputeModel();
     set_header();
     surface::tell(progress_, 0.6, 1.0);
@@ -87,10 +92,12 @@ class IgesText {
   }
 
   Handle(IGESData_ColorEntity) colour_of(const std::string& region) {
+    // One entity for all faces of a region.
     Handle(IGESGraph_Color)& known = colours_[region];
     if (known.IsNull()) {
       const analysis::Colour rgb = exchange::colour_of(region, options_);
       known = new IGESGraph_Color;
+      // Per cent.
       known->Init(100.0 * rgb[0], 100.0 * rgb[1], 100.0 * rgb[2], text_of(region));
       writer_.AddEntity(known);
     }
@@ -99,6 +106,7 @@ class IgesText {
 
   void add_curve(const CadCurve& curve) {
     const TopoDS_Edge edge = BRepBuilderAPI_MakeEdge(make_curve(curve.curve)).Edge();
+    // Curves take no time to speak of.
     add(edge, 0.5, 0.5);
     const Entity entity = entity_of(edge);
     if (entity.IsNull()) return;
@@ -109,6 +117,7 @@ class IgesText {
   // In full; the label of eight characters has the begin, where it is ASCII.
   void set_name(const Entity& entity, const std::string& name) {
     const Handle(TCollection_HAsciiString) text = text_of(name);
+    // As long as before: nothing in it was encoded.
     if (text->Length() == static_cast<int>(name.size())) {
       entity->SetLabel(text_of(name.substr(0, 8)));
     }
@@ -122,6 +131,7 @@ class IgesText {
     for (const auto& [name, level] : levels_) {
       Handle(IGESAppli_LevelFunction) function = new IGESAppli_LevelFunction;
       function->Init(2, level, text_of(name));
+      // The entity that names a level is on it itself.
       function->InitLevel({}, level);
       writer_.AddEntity(function);
     }
@@ -129,6 +139,7 @@ class IgesText {
 
   void set_header() {
     IGESData_GlobalSection header = writer_.Model()->GlobalSection();
+    // The product's name, which the reader takes from here.
     header.SetSendName(text_of(options_.name));
     header.SetFileName(text_of(options_.name));
     header.SetReceiveName(text_of(options_.name));

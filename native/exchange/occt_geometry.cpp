@@ -19,6 +19,7 @@ struct Knots {
   explicit Knots(const std::vector<double>& repeated) {
     for (double unit : repeated) {
       const double knot = kParameterRange * unit;
+      // Repeated knots are equal bit for bit: none were computed apart.
       if (values.empty() || knot != values.back()) {
         values.push_back(knot);
         counts.push_back(0);
@@ -27,6 +28,7 @@ struct Knots {
     }
   }
   TColStd_Array1OfReal array() const {
+    // A view of the vector's memory, which these Knots have to outlive.
     return TColStd_Array1OfReal(values.front(), 1, static_cast<int>(values.size()));
   }
   TColStd_Array1OfInteger multiplicities() const {
@@ -39,6 +41,7 @@ struct Knots {
 std::vector<double> unit_knots(const TColStd_Array1OfReal& sequence) {
   const double begin = sequence.First(), length = sequence.Last() - begin;
   std::vector<double> knots;
+  // Exactly 0 at the begin and 1 at the end.
   for (double knot : sequence) knots.push_back((knot - begin) / length);
   return knots;
 }
@@ -88,10 +91,12 @@ conversion::BSplinePatch patch_of(const Geom_BSplineSurface& surface) {
   conversion::BSplinePatch patch;
   patch.degree_u = surface.UDegree();
   patch.degree_v = surface.VDegree();
+  // With repetitions, as a patch has them.
   patch.knots_u = unit_knots(surface.UKnotSequence());
   patch.knots_v = unit_knots(surface.VKnotSequence());
   patch.count_u = surface.NbUPoles();
   patch.count_v = surface.NbVPoles();
+  // v runs fastest, as in the patch's control points.
   for (int i = 1; i <= patch.count_u; ++i) {
     for (int j = 1; j <= patch.count_v; ++j) {
       patch.control_points.push_back(in_metres(surface.Pole(i, j)));
@@ -107,6 +112,7 @@ Vector3d middle_of(const TopoDS_Edge& edge) {
 
 Vector3d middle_of(const TopoDS_Face& face) {
   const BRepAdaptor_Surface surface(face, Standard_False);
+  // Other surfaces may be endless, as planes are: an edge has ends.
   if (surface.GetType() == GeomAbs_BSplineSurface) {
     return in_metres(surface.Value(0.5 * (surface.FirstUParameter() + surface.LastUParameter()),
                                    0.5 * (surface.FirstVParameter() + surface.LastVParameter())));

@@ -61,6 +61,7 @@ OcctSession::OcctSession(const CadOptions& options) : lock_(occt_mutex()) {
   set("write.iges.brep.mode", 1);  // shells whose faces share edges, and no bare trimmed surfaces
   set("read.iges.bspline.continuity", 0);  // curves are not cut at their kinks
   auto& active = Message::DefaultMessenger()->ChangePrinters();
+  // Else Open CASCADE's messages would go to the standard output.
   printers_ = active;
   active.Clear();
 }

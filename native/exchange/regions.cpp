@@ -12,6 +12,7 @@ namespace {
 
 std::string region_of(const conversion::BSplinePatch& patch, double tolerance, double aft) {
   Eigen::AlignedBox3d box;
+  // The patch lies within the hull of its control points, and is plane where these are.
   for (const Vector3d& point : patch.control_points) box.extend(point);
   const Vector3d extent = box.sizes();
   if (extent.y() <= tolerance) {
@@ -19,8 +20,10 @@ std::string region_of(const conversion::BSplinePatch& patch, double tolerance, d
   }
   if (extent.z() <= tolerance) {
     const surface::SurfaceJet middle = patch.evaluate(0.5, 0.5);
+    // Normals point into the water, so a bottom's points down.
     return middle.du.cross(middle.dv).z() < 0.0 ? "flat bottom" : "deck";
   }
+  // Other planes across the ship, as steps of a bottom, are shell.
   return extent.x() <= tolerance && box.min().x() <= aft + tolerance ? "transom" : "shell";
 }
 
@@ -29,6 +32,7 @@ std::string region_of(const conversion::BSplinePatch& patch, double tolerance, d
 std::vector<std::string> find_regions(const conversion::PatchSet& set) {
   double aft = std::numeric_limits<double>::infinity();
   for (const conversion::BSplinePatch& patch : set.patches) {
+    // Of all patches, before any is looked at: a transom is told by how far aft the others are.
     for (const Vector3d& point : patch.control_points) aft = std::min(aft, point.x());
   }
   const double tolerance = kInPlane * set.size();

@@ -25,6 +25,7 @@ class ReplacingFile::NewFile {
     do {
       // Of its own length: the final name may be as long as names can be.
       const std::string own = std::to_string(getpid()) + "." + std::to_string(number++) + ".part";
+      // Beside the target: a rename is only atomic within one file system.
       name_ = (target.parent_path() / (".hull-" + own)).string();
       descriptor_ = ::open(name_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     } while (descriptor_ < 0 && errno == EEXIST);
@@ -48,10 +49,14 @@ class ReplacingFile::NewFile {
 
   void rename_to(const fs::path& target) {
     struct stat old {};
+    // The new file takes the rights of the old one; where it can't, those of a new file serve.
     if (stat(target.c_str(), &old) == 0) fchmod(descriptor_, old.st_mode & 07777);
+    // Before the rename: else a crash might leave the new name with bytes that never reached the
+    // disk.
     if (fsync(descriptor_) != 0 && errno != EINVAL) fail();  // EINVAL: a place that has no disk
     const int descriptor = descriptor_;
     descriptor_ = -1;
+    // Some file systems, as those of networks, tell only here that the disk was full.
     if (close(descriptor) != 0) fail();
     if (std::rename(name_.c_str(), target.c_str()) != 0) fail();
     name_.clear();
@@ -73,12 +78,14 @@ namespace {
 constexpr int kMostLinks = 40;  // as the kernel follows
 
 // Where a chain of symbolic links ends, whether or not there is anything.
+// By hand, as std::filesystem::canonical() wants the last file to be there.
 fs::path end_of_links(fs::path path) {
   for (int link = 0; fs::is_symlink(path); ++link) {
     if (link == kMostLinks) {
       throw fs::filesystem_error("",
                                  std::make_error_code(std::errc::too_many_symbolic_link_levels));
     }
+    // A relative link counts from its own folder; an absolute one replaces all before it.
     path = path.parent_path() / fs::read_symlink(path);
   }
   return path;
@@ -121,6 +128,7 @@ ReplacingFile::ReplacingFile(const std::string& path) : path_(path) {
           "a file's name can't have line breaks or control characters; give it another");
     }
     target = end_of_links(target);
+    // Without a folder the name is in the present one.
     const fs::path folder = target.parent_path();
     if (!folder.empty() && !fs::is_directory(folder)) {
       throw std::runtime_error("there is no folder \"" + folder.string() + "\"; make it first");

@@ -41,6 +41,8 @@ struct Section {
 };
 
 Projection end_view(const View& view, Hand hand) {
+  // The port half twice: from abaft it is on the left, with the after sections, from ahead on the
+  // right.
   return projection(view, {0.0, static_cast<double>(hand), 0.0}, {0.0, 0.0, 1.0});
 }
 
@@ -73,8 +75,10 @@ void draw_offsets(SheetBuilder& builder, const View& view, const GridBox& grid,
 // plane.
 void draw_split(SheetBuilder& builder, const View& view, const Pen& pen,
                 const std::vector<ShipCurve>& curves, const HullExtents& extents) {
+  // Cut at midship, as a knuckle runs on from the after body into the fore one.
   for (const ShipCurve& curve : curves) {
     for (const ShipCurve& part :
+         // What is left lies off the centre plane by more than a line on paper would show.
          part_of_curve(curve, 1, kOffCentre / view.scale, LimitSide::kAbove)) {
       for (const ShipCurve& aft : part_of_curve(part, 0, extents.midship, LimitSide::kBelow)) {
         draw_ship_curve(builder, pen, end_view(view, kAft), aft);
@@ -89,6 +93,8 @@ void draw_split(SheetBuilder& builder, const View& view, const Pen& pen,
 // The point of the section to label: its upper outer end, the deck edge where there is a deck.
 Vector2d upper_end(const Section& section, Hand hand) {
   Vector2d best = section.curves.front().path.front();
+  // Height on the page, whose y runs down, and a part of the distance outwards, so that of a
+  // section with a deck the edge wins over the crown.
   const auto height = [hand](const Vector2d& point) { return -point.y() + 0.7 * hand * point.x(); };
   for (const PlacedCurve& curve : section.curves) {
     for (const Vector2d& point : curve.path) {
@@ -148,6 +154,8 @@ void label_sections(SheetBuilder& builder, const View& view, const std::vector<S
   std::vector<SectionEnd> ends;
   for (const Section& section : sections) {
     const Vector2d point = upper_end(section, hand);
+    // Stations come in order, so those that end together, as along a parallel middle body, follow
+    // one another.
     if (!ends.empty() && (ends.back().point - point).norm() < kSameEnd) {
       ends.back().labels.push_back(section.label);
     } else {
@@ -155,6 +163,7 @@ void label_sections(SheetBuilder& builder, const View& view, const std::vector<S
     }
   }
   // From the centre line outwards: there is more room outside for those that come last.
+  // A copy: `ends` has to keep the order of the sections, which are counted along with it below.
   std::vector<SectionEnd> outwards = ends;
   std::stable_sort(outwards.begin(), outwards.end(),
                    [hand](const SectionEnd& a, const SectionEnd& b) {
@@ -164,6 +173,7 @@ void label_sections(SheetBuilder& builder, const View& view, const std::vector<S
 
   // Sections that end together are told apart where they part, in the bilge or the bottom.
   std::vector<double> wanted;
+  // As parts of the breadth.
   for (const double share : {0.6, 0.3, 0.9}) {
     wanted.push_back(view.to_page(hand * share * extents.breadth, 0.0).x());
   }
@@ -184,15 +194,18 @@ void draw_diagonals(SheetBuilder& builder, const View& view, const LinesDrawing&
     for (const ShipCurve& curve : member.curves) {
       for (const Eigen::Vector3d& point : curve.points) reach = std::max(reach, point.y());
     }
+    // A diagonal that meets the hull in the centre plane alone has no trace.
     if (reach <= 0.0) continue;
     const double angle = member.diagonal.angle;
     const TextStyle style{.size = 2.4, .ink = kDiagonalLines.ink, .knockout = true};
     const Vector2d start = view.to_page(0.0, member.diagonal.height);
     for (const Hand hand : {kAft, kFore}) {
       const Vector2d along(hand * std::cos(angle), std::sin(angle));
+      // Along the trace the distance is the breadth over the cosine of the angle.
       const Vector2d end = start + (view.scale * reach / std::cos(angle) + kTraceOverhang) * along;
       builder.draw(pens::kDiagonalTrace, {start, end});
       const Vector2d half = SheetBuilder::text_box(member.label, style, {0.0, 0.0}).half;
+      // Beyond the trace's end first, then back upon the trace, which the label interrupts.
       for (const double distance : {0.4, 1.5, 3.0, -4.0, -6.0}) {
         const OrientedBox box =
             SheetBuilder::text_box(member.label, style, end + (half.x() + distance) * along);
@@ -213,6 +226,8 @@ void draw_body_plan(SheetBuilder& builder, const View& view, const LinesDrawing&
   draw_offsets(builder, view, grid, drawing, extents);
   draw_heights(builder, view, grid, drawing, extents.bottom, extents.top);
 
+  // All curves are drawn before the first section is named, so that its label finds them as
+  // obstacles.
   const std::vector<Section> aft = draw_sections(builder, view, drawing, extents, kAft);
   const std::vector<Section> fore = draw_sections(builder, view, drawing, extents, kFore);
   draw_split(builder, view, pens::kKnuckle, drawing.knuckles, extents);

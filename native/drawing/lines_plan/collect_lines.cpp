@@ -41,6 +41,7 @@ std::vector<double> in_order(std::vector<double> positions, const std::string& k
     }
   }
   std::sort(positions.begin(), positions.end());
+  // `b` comes after `a` in order.
   const auto is_same = [same](double a, double b) { return b - a <= same; };
   positions.erase(std::unique(positions.begin(), positions.end(), is_same), positions.end());
   return positions;
@@ -61,6 +62,7 @@ double numbering_of(const std::vector<double>& stations, const std::optional<dou
   for (std::size_t i = 2; i < stations.size(); ++i) {
     smallest = std::min(smallest, stations[i] - stations[i - 1]);
   }
+  // Within a thousandth of a spacing of a whole number.
   const auto fits = [smallest](double x) { return off_grid(x, smallest) < 1e-3; };
   return std::all_of(stations.begin(), stations.end(), fits) ? smallest : 0.0;
 }
@@ -88,6 +90,7 @@ void check_spacing(const std::optional<double>& value, const std::string& name) 
 // The parts of the curve to port of y = 0. Points less than `slack` to starboard are taken for
 // points of the centre plane.
 void add_port_half(std::vector<ShipCurve>& curves, ShipCurve curve, double slack) {
+  // Of a spline the control points: the curve moves by no more than they do.
   const auto to_centre_plane = [slack](Vector3d& point) {
     if (point.y() < 0.0 && point.y() >= -slack) point.y() = 0.0;
   };
@@ -108,6 +111,7 @@ ShipCurve with_points(const surface::CubicSpline& spline) {
   const std::vector<double>& knots = spline.knots();
   curve.points.push_back(spline.evaluate(spline.begin(), 0).point);
   for (std::size_t i = 4; i + 3 < knots.size(); ++i) {
+    // A convex combination of the knots, which ends exactly in the next one.
     for (int step = 1; step <= kStepsPerKnot; ++step) {
       const double share = static_cast<double>(step) / kStepsPerKnot;
       const double t = (1.0 - share) * knots[i - 1] + share * knots[i];
@@ -178,6 +182,7 @@ class Cutter {
     } else {
       for (analysis::SectionCurve& branch : analysis::section(
                surface_, plane, analysis::SectionOptions{tolerance_, kInSection * size_})) {
+        // A branch as a whole, over its knuckles: on paper they are points like others.
         curves.push_back({std::move(branch.points), std::nullopt});
       }
     }
@@ -198,6 +203,7 @@ void mark_design_waterline(const Cutter& cutter, std::vector<NamedCurves>& water
     return std::abs(line.position - draft) <= cutter.same();
   };
   const auto found = std::find_if(waterlines.begin(), waterlines.end(), is_same);
+  // At the very draft, so that is_design_waterline() knows it again.
   if (found != waterlines.end()) {
     found->position = draft;
     found->label = "DWL " + found->label;
@@ -222,6 +228,7 @@ std::vector<NamedDiagonal> cut_diagonals(const Cutter& cutter,
     std::string label = "D" + std::to_string(named.size() + 1);
     named.push_back({diagonal, std::move(label), cutter.cut(diagonal)});
   }
+  // After they were named: a diagonal keeps its number though one before it does not meet the hull.
   std::erase_if(named, [](const NamedDiagonal& member) { return member.curves.empty(); });
   return named;
 }
@@ -233,6 +240,7 @@ ShipCurve ship_curve(const surface::CreaseCurve& crease) {
   for (int i = 0; i <= steps; ++i) {
     curve.points.push_back(crease.evaluate(static_cast<double>(i) / kStepsPerEdge, 0).point);
   }
+  // Bit for bit, which is how a closed line is told when drawn.
   if (crease.closed()) curve.points.back() = curve.points.front();
   return curve;
 }
@@ -242,12 +250,14 @@ void add_features(const surface::LimitSurface& surface, bool mirrored, LinesDraw
   const double slack = (mirrored ? kAtCentreLine : kSamePosition) * surface.mesh().size();
   for (const surface::CreaseCurve& crease : surface::crease_curves(surface)) {
     const bool border = crease.kind() == surface::CreaseKind::kBorder;
+    // Nothing is cut: a crease's own spline is the surface's curve, but for darts.
     add_port_half(border ? drawing.outlines : drawing.knuckles, ship_curve(crease), slack);
   }
 }
 
 // Lines beyond what the views show would only have rows in the table.
 void leave_out_beyond(LinesDrawing& drawing, double same) {
+  // A line that cuts the hull has its own curve in them, so only such as cut nothing are beyond.
   const HullExtents extents = hull_extents(drawing);
   const auto leave_out = [same](std::vector<NamedCurves>& family, double low, double high) {
     std::erase_if(family, [&](const NamedCurves& member) {
@@ -267,6 +277,7 @@ analysis::OffsetTable offsets_of(const surface::LimitSurface& surface, const Lin
     return all;
   };
   std::vector<double> buttocks = positions(drawing.buttocks);
+  // Before the others, where the table on the sheet expects it.
   buttocks.insert(buttocks.begin(), 0.0);  // for the heights of the profile
   return analysis::offset_table(surface, positions(drawing.stations), positions(drawing.waterlines),
                                 buttocks, mirrored);
@@ -280,6 +291,7 @@ LinesDrawing collect_lines(const surface::LimitSurface& surface, const LinesOpti
   check_spacing(options.frame_spacing, "frame spacing");
   check_spacing(options.station_spacing, "station spacing");
   if (options.frames) check_frames(*options.frames);
+  // On paper the hull is no larger than the sheet, whatever the scale will be.
   const double paper = std::max(options.paper.width, options.paper.height);
   const Cutter cutter(surface, options.tolerance.value_or(kPaperTolerance / paper * size),
                       options.splines, options.unit);
@@ -309,10 +321,12 @@ LinesDrawing collect_lines(const surface::LimitSurface& surface, const LinesOpti
   if (options.draft && !std::isfinite(*options.draft)) {
     throw std::invalid_argument("The draft is not a finite number");
   }
+  // Before anything is cut: the half that is drawn has to be there.
   const std::string missing = options.mirrored ? analysis::missing_port_side(surface, true) : "";
   if (!missing.empty()) throw std::invalid_argument(missing);
   drawing.stations = cutter.cut_all(analysis::Axis::kX, stations);
   number_stations(drawing.stations, numbering_of(stations, options.station_spacing));
+  // Numbers that were given before are replaced; frames are checked by then.
   if (options.frames && options.in_frames) {
     for (NamedCurves& station : drawing.stations) {
       station.label = frame_name(station.position, *options.frames);
@@ -329,6 +343,7 @@ LinesDrawing collect_lines(const surface::LimitSurface& surface, const LinesOpti
     }
   }
   add_features(surface, options.mirrored, drawing);
+  // Before the table is made, which has a row or column for each line that is left.
   leave_out_beyond(drawing, same);
   if (options.offsets) drawing.offsets = offsets_of(surface, drawing, options.mirrored);
   return drawing;

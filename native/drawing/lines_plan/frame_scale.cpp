@@ -18,6 +18,7 @@ constexpr double kNearestNumbers = 9.0;  // mm, wider than any number
 constexpr double kMarkNumberSize = 2.2;
 
 // Every so many frames have a number.
+// 1, 2 or 5 times a power of ten.
 long numbered_every(double mm_per_frame) {
   for (long power = 1; power < 1000000; power *= 10) {
     for (const long step : {1, 2, 5}) {
@@ -38,6 +39,7 @@ std::vector<FrameMark> marks_of(const LinesDrawing& drawing, const HullExtents& 
   std::vector<FrameMark> marks;
   if (drawing.frames) {
     const PlanFrames& frames = *drawing.frames;
+    // A frame at the very end of the hull is one, though rounded.
     const double slack = 1e-6 * (extents.fore - extents.aft);
     for (std::size_t i = 0; i < frames.positions.size(); ++i) {
       const double x = frames.positions[i];
@@ -47,6 +49,7 @@ std::vector<FrameMark> marks_of(const LinesDrawing& drawing, const HullExtents& 
     return marks;
   }
   const double spacing = *drawing.frame_spacing;
+  // Frame 0 is at x = 0, whatever the hull's after end is; a frame at an end counts though rounded.
   const long first = std::lround(std::ceil(extents.aft / spacing - 1e-6));
   const long last = std::lround(std::floor(extents.fore / spacing + 1e-6));
   for (long frame = first; frame <= last; ++frame) {
@@ -78,6 +81,7 @@ void draw_frame_scale(SheetBuilder& builder, const View& view, const GridBox& gr
   const long every = numbered_every(view.scale * least);
   const bool marks_all = view.scale * least >= kNearestMarks;
   for (const FrameMark& mark : marks_of(drawing, extents)) {
+    // Multiples, wherever the frames begin; of negative ones, abaft frame 0, too.
     const bool numbered = mark.number % every == 0;
     if (!numbered && !marks_all) continue;
     const double x = view.to_page(mark.x, 0.0).x();

@@ -8,6 +8,7 @@ namespace hull::drawing {
 namespace {
 
 GridBox half_breadth_grid(const View& view, const HullExtents& extents) {
+  // Diagonals are below the centre line, where y is negative.
   GridBox grid(view.to_page(extents.aft, extents.breadth),
                view.to_page(extents.fore, -extents.diagonals));
   grid.min() -= Eigen::Vector2d::Constant(kOverhang);
@@ -63,6 +64,8 @@ Placed draw_developed_diagonals(SheetBuilder& builder, const View& view,
   Placed diagonals;
   for (const NamedDiagonal& member : drawing.diagonals) {
     std::vector<PlacedCurve>& placed = diagonals.emplace_back();
+    // The distance along the plane is the half-breadth over the cosine of the angle, so one factor
+    // does for all points.
     const double stretch = expanded(member.diagonal, {0.0, 1.0, 0.0});
     const Projection flat = projection(view, {1.0, 0.0, 0.0}, {0.0, -stretch, 0.0});
     for (const ShipCurve& curve : member.curves) {
@@ -81,6 +84,7 @@ void draw_half_breadth(SheetBuilder& builder, const View& view, const LinesDrawi
   draw_caption(builder, view,
                has_diagonals ? "Half-breadth plan, diagonals expanded" : "Half-breadth plan");
   draw_grid(builder, view, grid, drawing, extents);
+  // Their names stand above the profile, with which this view is in line.
   draw_perpendiculars(builder, view, grid, drawing, extents, false);
 
   const Projection top = projection(view, {1.0, 0.0, 0.0}, {0.0, 1.0, 0.0});
@@ -90,6 +94,7 @@ void draw_half_breadth(SheetBuilder& builder, const View& view, const LinesDrawi
   const Placed diagonals = draw_developed_diagonals(builder, view, drawing);
 
   const double length = extents.fore - extents.aft;
+  // In the ends, where the lines are apart; forward first.
   const std::vector<double> wanted = {view.to_page(extents.aft + 0.85 * length, 0.0).x(),
                                       view.to_page(extents.aft + 0.15 * length, 0.0).x()};
   for (std::size_t i = 0; i < waterlines.size(); ++i) {

@@ -55,6 +55,7 @@ double extend_by_diagonals(Eigen::AlignedBox3d& box, const LinesDrawing& drawing
     extend_by_curves(box, member.curves, owner);
     for (const ShipCurve& curve : member.curves) {
       for (const Eigen::Vector3d& point : curve.points) {
+        // Of the view below the centre line; in the box a diagonal's points count where they are.
         reach = std::max(reach, expanded(member.diagonal, point));
       }
     }
@@ -92,10 +93,12 @@ HullExtents hull_extents(const LinesDrawing& drawing) {
                                 std::to_string(*drawing.length) + " m");
   }
 
+  // From the centre plane outwards, as the half-breadth plan and both sides of the body plan are.
   HullExtents extents{box.min().x(), box.max().x(), std::max(box.max().y(), 0.0),
                       box.min().z(), box.max().z(), 0.5 * (box.min().x() + box.max().x()),
                       diagonals};
   const auto near = [](double value, double low, double high) {
+    // Far from the hull, a perpendicular or the base line would only make the hull small.
     const double reach = 0.25 * (high - low);
     return value > low - reach && value < high + reach;
   };
@@ -103,6 +106,7 @@ HullExtents hull_extents(const LinesDrawing& drawing) {
     extents.midship = 0.5 * *drawing.length;
     for (const double perpendicular : {0.0, *drawing.length}) {
       if (near(perpendicular, box.min().x(), box.max().x())) {
+        // Exactly, so that it is not beyond the extents by rounding when it is drawn.
         extents.aft = std::min(extents.aft, perpendicular);
         extents.fore = std::max(extents.fore, perpendicular);
       }

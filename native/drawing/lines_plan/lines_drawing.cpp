@@ -25,18 +25,21 @@ constexpr double kNearestLines = 0.5;
 // The width of the widest label beside a grid.
 double label_column(const LinesDrawing& drawing) {
   double width = SheetBuilder::text_box("BL", {}, {0.0, 0.0}).half.x() * 2.0;
+  // Those that stand beside a grid; stations are below it.
   for (const auto* family : {&drawing.waterlines, &drawing.buttocks}) {
     for (const NamedCurves& member : *family) {
       const OrientedBox box = SheetBuilder::text_box(member.label, {}, {0.0, 0.0});
       width = std::max(width, 2.0 * box.half.x());
     }
   }
+  // A little more, for labels as wide as the column to be within the view though rounded.
   return width + 0.1;
 }
 
 void check_density(std::size_t count, double extent, const std::string& kind,
                    const LinesSheet& sheet, const LinesDrawing& drawing) {
   const double room = extent * sheet.profile.scale;
+  // One or two have no average distance to speak of.
   if (count < 3 || room / static_cast<double>(count) >= kNearestLines) return;
   std::string message = std::to_string(count) + " " + kind;
   message += " would run together at " + scale_text(sheet.scale_denominator);
@@ -73,6 +76,7 @@ LinesSheet lay_out_lines(const LinesDrawing& drawing) {
       choose_layout({extents, drawing.paper, drawing.scale_denominator, label_column(drawing),
                      drawing.frame_spacing || drawing.frames, title_block_size(drawing),
                      offsets_block_sizes(drawing), views});
+  // Only with the layout is the scale known.
   check_densities(sheet, drawing, extents);
   sheet.title = drawing.title;
   SheetBuilder builder(sheet);
@@ -84,6 +88,7 @@ LinesSheet lay_out_lines(const LinesDrawing& drawing) {
   if (!sheet.table.isEmpty()) {
     draw_offsets_block(builder, sheet.table, drawing, sheet.table_form);
   }
+  // The builder drew on a copy of the Sheet alone; frame, views and scale are still here.
   static_cast<Sheet&>(sheet) = std::move(builder).finish();
   return sheet;
 }

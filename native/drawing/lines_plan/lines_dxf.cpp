@@ -25,6 +25,7 @@ constexpr int kGreyIndex = 8;
 int colour_index(const Ink& colour) {
   const double high = std::max({colour.red, colour.green, colour.blue});
   const double low = std::min({colour.red, colour.green, colour.blue});
+  // Without a hue: black or a grey.
   if (high - low < 0.1) return high < 0.2 ? kBlackOrWhite : kGreyIndex;
   if (colour.red > colour.green && colour.blue > colour.green && colour.red > 0.6 * colour.blue &&
       colour.blue > 0.6 * colour.red) {
@@ -36,6 +37,7 @@ int colour_index(const Ink& colour) {
 
 dxf::DxfLineType line_type(const Dashes& dashes) {
   if (dashes == Dashes{}) return dxf::DxfLineType::kContinuous;
+  // Equal dashes, or long and short ones in turn.
   return dashes[0] == dashes[2] ? dxf::DxfLineType::kDashed : dxf::DxfLineType::kCentre;
 }
 
@@ -46,6 +48,7 @@ std::string without_dashes(const std::string& text) {
   for (std::size_t i = 0; i < text.size(); ++i) {
     const bool is_dash = text.compare(i, dash.size(), dash) == 0;
     plain += is_dash ? '-' : text[i];
+    // In UTF-8 it is several bytes.
     if (is_dash) i += dash.size() - 1;
   }
   return plain;
@@ -63,6 +66,7 @@ class Converter {
   dxf::DxfDrawing convert(const LinesSheet& sheet) && {
     for (const Stroke& stroke : sheet.strokes) add(stroke);
     for (const Fill& patch : sheet.patches) add(patch);
+    // All words are on one layer, whatever ink they have on paper.
     const int text_layer = layer({0.18, {0.0, 0.0, 0.0}, {}, kTextLayer});
     for (const Label& label : sheet.labels) add(label, text_layer);
     return std::move(drawing_);
@@ -70,6 +74,7 @@ class Converter {
 
  private:
   Vector2d true_point(const Vector2d& page) const {
+    // Page to ship: y is turned up again, about the profile's origin.
     return {per_mm_ * (page.x() - origin_.x()), per_mm_ * (origin_.y() - page.y())};
   }
 
@@ -92,6 +97,7 @@ class Converter {
 
   void add(const Stroke& stroke) {
     const int number = layer(stroke.pen);
+    // An affine map takes a spline's control points along, its knots stay.
     if (stroke.spline) {
       drawing_.splines.push_back(
           {number, true_points(stroke.spline->points), stroke.spline->knots});
@@ -104,6 +110,7 @@ class Converter {
   void add(const Fill& patch) {
     if (patch.points.size() < 4) return;
     const int number = layer({0.18, patch.colour, {}, "TABLES"});
+    // A DxfDrawing has no filled areas.
     drawing_.polylines.push_back({number, true_points({patch.points[0], patch.points[2]})});
     drawing_.polylines.push_back({number, true_points({patch.points[1], patch.points[3]})});
   }
@@ -111,7 +118,10 @@ class Converter {
   void add(const Label& label, int text_layer) {
     const double angle = label.box.angle;
     const Vector2d down(-std::sin(angle), std::cos(angle));
+    // Where the paper knocks a gap into the curve, the file sets the text above it: its curves are
+    // whole.
     const double baseline = label.knockout ? -kAboveCurve : label.box.half.y() - label.descent;
+    // Angles on the page turn from x to y, which runs down; the file's y runs up.
     drawing_.texts.push_back({text_layer, without_dashes(label.text),
                               true_point(label.box.centre + baseline * down),
                               kCapitals * label.size * per_mm_, -angle});

@@ -16,7 +16,7 @@ namespace hull::drawing {
 // stand above it.
 dxf::DxfDrawing lines_dxf(const LinesSheet& sheet, dxf::DxfUnit unit);
 
-// Throws as write_dxf (exchange/dxf_file.h).
+// Throws as write_dxf (dxf/dxf_file.h).
 void write_lines_dxf(const LinesSheet& sheet, dxf::DxfUnit unit, const std::string& path);
 
 }  // namespace hull::drawing

@@ -66,6 +66,7 @@ std::vector<OffsetGroup> groups_of(const LinesDrawing& drawing) {
   OffsetGroup& buttocks =
       groups.emplace_back(OffsetGroup{"Heights, buttock " + symbol_of(unit), {}});
   // The centre line comes before the buttocks that are drawn.
+  // One, or none in a table that has no centre line.
   const std::size_t before = table.buttocks.size() - drawing.buttocks.size();
   for (std::size_t j = 0; j < table.buttocks.size(); ++j) {
     const std::string head = j < before ? "CL" : head_of(drawing.buttocks[j - before]);
@@ -94,11 +95,13 @@ class Measures {
     const auto width = [this](const std::string& text, bool bold = false) {
       return text_size(text, size, bold).width + 2.0 * kCellPadding;
     };
+    // Every cell has room for the mark, so that numbers end in one line with it or without.
     mark = text_size(kKnuckleMark, 0.75 * size, false).width;
     station_head = width("St.", true);
     for (const NamedCurves& station : drawing.stations) {
       station_head = std::max(station_head, width(station.label, true));
     }
+    // The lying form has one width for all its columns, that of the widest number or station.
     cell = station_head + mark;
     for (const OffsetGroup& group : groups) {
       std::vector<double> widths;
@@ -113,11 +116,13 @@ class Measures {
       // Upright, the group's name needs its columns' width.
       const double sum = std::accumulate(widths.begin(), widths.end(), 0.0);
       const double missing = std::max(0.0, width(group.name, true) - sum);
+      // Shared out evenly among them.
       for (double& w : widths) w += missing / static_cast<double>(widths.size());
       columns.push_back(std::move(widths));
       group_head = std::max(group_head, width(group.name, true));
       lines += group.lines.size();
     }
+    // Title and legend stand in one row, and must not touch.
     title = width(title_of(drawing), true) + width(kLegend) + 2.0 * size;
   }
 
@@ -142,6 +147,7 @@ class BlockDrawer {
     draw_title();
     const double top = box_.min().y() + m_.row, left = box_.min().x(), right = box_.max().x();
     const double bottom = box_.max().y();
+    // Below two rows of heads, of groups and of lines.
     const double first = top + 2.0 * m_.row;
     text("St.", true, {left + 0.5 * m_.station_head, first - 0.5 * m_.row}, Align::kCentre);
     for (std::size_t i = 0; i < drawing_.stations.size(); ++i) {
@@ -175,6 +181,7 @@ class BlockDrawer {
     draw_title();
     const double top = box_.min().y() + m_.row, left = box_.min().x(), right = box_.max().x();
     const double bottom = box_.max().y();
+    // Beside two columns of heads; one row for the stations is above.
     const double heads = left + m_.group_head, first = heads + m_.line_head;
     text("Station", true, {left + kCellPadding, top + 0.5 * m_.row}, Align::kLeft);
     const auto cell_end = [&](std::size_t i) {
@@ -182,6 +189,7 @@ class BlockDrawer {
     };
     for (std::size_t i = 0; i < drawing_.stations.size(); ++i) {
       text(drawing_.stations[i].label, true, {cell_end(i), top + 0.5 * m_.row}, Align::kRight);
+      // The first line parts heads from numbers.
       vertical(i == 0 ? pens::kTable : pens::kGrid, first + static_cast<double>(i) * m_.cell, top,
                bottom);
     }
@@ -217,6 +225,7 @@ class BlockDrawer {
 
   // The number ends at `end`; the mark of a knuckle follows.
   void value(const OffsetLine& line, std::size_t i, const Vector2d& end) {
+    // Numbers of one column have their last digits in line.
     text(line.values[i], false, end, Align::kRight);
     if (!line.on_knuckle[i]) return;
     const TextStyle style{.size = 0.75 * m_.size};
@@ -242,6 +251,7 @@ class BlockDrawer {
 }  // namespace
 
 std::vector<Vector2d> offsets_block_sizes(const LinesDrawing& drawing) {
+  // Also where all stations were left out, as lying beyond the hull.
   if (!drawing.offsets || drawing.stations.empty()) return {};
   const std::vector<OffsetGroup> groups = groups_of(drawing);
   if (groups.empty()) return {};
@@ -253,6 +263,8 @@ std::vector<Vector2d> offsets_block_sizes(const LinesDrawing& drawing) {
     for (const std::vector<double>& columns : m.columns) {
       width = std::accumulate(columns.begin(), columns.end(), width);
     }
+    // Title, two rows of heads, and the stations; lying, the title, the stations and the lines.
+    // Forms come in pairs, upright and lying, as `form / 2` and `form % 2` below count on.
     sizes.emplace_back(std::max(width, m.title), (3.0 + stations) * m.row);
     sizes.emplace_back(std::max(m.group_head + m.line_head + stations * m.cell, m.title),
                        (2.0 + static_cast<double>(m.lines)) * m.row);

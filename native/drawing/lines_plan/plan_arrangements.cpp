@@ -18,6 +18,7 @@ constexpr double kGap = 4.0;  // least distance of two blocks
 // shared evenly among the gaps between and at both ends.
 std::vector<double> spread(double low, double high, const std::vector<double>& lengths) {
   const double taken = std::accumulate(lengths.begin(), lengths.end(), 0.0);
+  // Negative where there is too little room: then the blocks overlap, and fits() refuses.
   const double gap = (high - low - taken) / static_cast<double>(lengths.size() + 1);
   std::vector<double> starts;
   double at = low + gap;
@@ -46,7 +47,10 @@ bool fits(const PlanBlocks& blocks, const PlanCorners& corners, const AlignedBox
   for (const AlignedBox2d& box : boxes) {
     if (!inside.contains(box)) return false;
   }
+  // Only now: it touches the frame, so it is not within the area.
   boxes.push_back(title_block);
+  // Grown by half the gap each, boxes are apart by the gap where they do not meet. Touching ones
+  // would intersect, so a rounding less.
   const Vector2d half_gap = Vector2d::Constant(0.5 * kGap - kRounding);
   for (AlignedBox2d& box : boxes) box = AlignedBox2d(box.min() - half_gap, box.max() + half_gap);
   for (std::size_t i = 0; i < boxes.size(); ++i) {
@@ -63,6 +67,7 @@ PlanCorners side_by_side(const PlanBlocks& blocks, const AlignedBox2d& area,
                          const AlignedBox2d& title, bool table_to_the_right) {
   const bool right_table = blocks.table && table_to_the_right;
   const bool left_table = blocks.table && !table_to_the_right;
+  // The title block is in the right column too.
   double right_width = std::max(blocks.body_plan.x(), area.max().x() - title.min().x());
   double left_width = blocks.profile.x();
   if (right_table) right_width = std::max(right_width, blocks.table->x());
@@ -70,6 +75,7 @@ PlanCorners side_by_side(const PlanBlocks& blocks, const AlignedBox2d& area,
   const std::vector<double> columns =
       spread(area.min().x(), area.max().x(), {left_width, right_width});
 
+  // Profile and body plan begin in one row, so that they share the base line.
   std::vector<double> heights = {blocks.profile.y(), blocks.half_breadth.y()};
   if (left_table) heights.push_back(blocks.table->y());
   const std::vector<double> rows = spread(area.min().y(), area.max().y(), heights);
@@ -82,6 +88,7 @@ PlanCorners side_by_side(const PlanBlocks& blocks, const AlignedBox2d& area,
     corners.table = {columns[0] + 0.5 * (left_width - blocks.table->x()), rows[2]};
   }
   if (right_table) {
+    // Between the body plan and the title block.
     const double low = rows[0] + blocks.body_plan.y();
     corners.table = {columns[1] + 0.5 * (right_width - blocks.table->x()),
                      centred(low, title.min().y(), blocks.table->y())};
@@ -98,6 +105,7 @@ PlanCorners stacked(const PlanBlocks& blocks, const AlignedBox2d& area, const Al
              {blocks.profile.y(), blocks.half_breadth.y(), blocks.body_plan.y()});
   const double left = centred(area.min().x(), area.max().x(), blocks.profile.x());
   PlanCorners corners{{left, rows[0]}, {left, rows[1]}, Vector2d::Zero(), Vector2d::Zero()};
+  // The body plan is below this, and beside it the table.
   const double views_end = rows[1] + blocks.half_breadth.y();
   if (!blocks.table || table_above_title) {
     double right_start = title.min().x();
@@ -120,6 +128,7 @@ PlanCorners stacked(const PlanBlocks& blocks, const AlignedBox2d& area, const Al
 
 std::optional<PlanCorners> arrange_plan(const PlanBlocks& blocks, const AlignedBox2d& area,
                                         const AlignedBox2d& title) {
+  // The order is that of preference: the first that fits is taken.
   const std::vector<PlanCorners> proposals = {
       side_by_side(blocks, area, title, true), side_by_side(blocks, area, title, false),
       stacked(blocks, area, title, false), stacked(blocks, area, title, true)};

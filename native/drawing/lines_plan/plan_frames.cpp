@@ -12,6 +12,7 @@ std::string frame_name(double x, const PlanFrames& frames) {
   for (std::size_t i = 0; i + 1 < frames.positions.size(); ++i) {
     const double from = frames.positions[i], to = frames.positions[i + 1];
     const double part = (x - from) / (to - from);
+    // Falling frames do as well: both differences change their sign.
     if (part < -1e-3 || part > 1.0 + 1e-3) continue;
     if (part < 1e-3) return frames.names[i];
     if (part > 1.0 - 1e-3) return frames.names[i + 1];
@@ -27,6 +28,8 @@ std::string frame_name(double x, const PlanFrames& frames) {
 
 void check_frames(const PlanFrames& frames) {
   const std::vector<double>& x = frames.positions;
+  // Pairs that do not rise, and those that do not fall: there must be none of one of the two kinds.
+  // Not a number is both.
   const auto rises = [](double a, double b) { return !(b > a); };
   const auto falls = [](double a, double b) { return !(b < a); };
   if (x.size() >= 2 && frames.names.size() == x.size() && std::isfinite(x.front()) &&

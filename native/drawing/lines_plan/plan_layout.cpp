@@ -53,6 +53,7 @@ ViewSizes view_sizes(const PlanNeeds& needs, double scale) {
       {length, depth, {side, side, head, profile_foot}},
       {length, breadth + scale * extents.diagonals, {side, side, kCaptionRow + kOverhang, foot}},
       {2.0 * breadth, depth, {body_side, body_side, head, profile_foot}}};
+  // Without any size it keeps its place in the arrangements.
   if (!needs.views.profile) sizes.profile = none;
   if (!needs.views.half_breadth) sizes.half_breadth = none;
   if (!needs.views.body_plan) sizes.body_plan = none;
@@ -62,6 +63,7 @@ ViewSizes view_sizes(const PlanNeeds& needs, double scale) {
 // The view of `size` with its bounds' upper left corner at `corner`, and ship coordinates (right,
 // up) at the hull's lower left corner.
 View place(const ViewSize& size, const Vector2d& corner, double scale, double right, double up) {
+  // The hull's lower left corner on the page; the origin is as far from it as ship coordinates say.
   const double corner_x = corner.x() + size.margins.left;
   const double corner_y = corner.y() + size.margins.top + size.hull_height;
   return {AlignedBox2d(corner, corner + size.size()),
@@ -71,6 +73,7 @@ View place(const ViewSize& size, const Vector2d& corner, double scale, double ri
 std::vector<double> usual_denominators() {
   std::vector<double> all;
   // Enlargements keep to 2:1, 5:1, 10:1, ...
+  // From the largest scale to the smallest.
   for (const double power : {0.0001, 0.001, 0.01, 0.1}) {
     for (const double mantissa : {1.0, 2.0, 5.0}) all.push_back(mantissa * power);
   }
@@ -96,6 +99,8 @@ bool place_all(LinesSheet& sheet, const PlanNeeds& needs, double denominator) {
   PlanBlocks blocks{sizes.profile.size(), sizes.half_breadth.size(), sizes.body_plan.size(), {}};
   std::optional<PlanCorners> corners;
   const int forms = std::max<int>(1, static_cast<int>(needs.tables.size()));
+  // All forms of the table at this scale before the next smaller one: rather small letters than a
+  // small hull.
   for (int form = 0; form < forms && !corners; ++form) {
     if (!needs.tables.empty()) blocks.table = needs.tables[form];
     corners = arrange_plan(blocks, area, sheet.title_block);
@@ -103,6 +108,7 @@ bool place_all(LinesSheet& sheet, const PlanNeeds& needs, double denominator) {
   }
   if (!corners) return false;
   sheet.scale_denominator = denominator;
+  // Empty without one, by which the drawing knows.
   if (blocks.table) sheet.table = AlignedBox2d(corners->table, corners->table + *blocks.table);
   const HullExtents& extents = needs.extents;
   sheet.profile = place(sizes.profile, corners->profile, scale, extents.aft, extents.bottom);
@@ -124,6 +130,7 @@ bool place_at_usual_scale(LinesSheet& sheet, const PlanNeeds& needs) {
 [[noreturn]] void refuse_scale(LinesSheet& sheet, const PlanNeeds& needs) {
   std::string message = "At " + scale_text(*needs.scale_denominator);
   message += " the lines plan does not fit " + needs.paper.name;
+  // The sheet only serves to find it, as nothing returns from here.
   if (place_at_usual_scale(sheet, needs)) {
     message += "; " + scale_text(sheet.scale_denominator) + " does";
   }
@@ -153,6 +160,7 @@ LinesSheet choose_layout(const PlanNeeds& needs) {
     return sheet;
   }
   if (place_at_usual_scale(sheet, needs)) return sheet;
+  // Only to tell what is in the way.
   PlanNeeds without_table = needs;
   without_table.tables.clear();
   if (!needs.tables.empty() && place_at_usual_scale(sheet, without_table)) {

@@ -13,10 +13,13 @@ constexpr double kFoot = 0.3048, kInch = 0.0254;
 constexpr long kSixteenths = 192;  // of an inch, in a foot
 
 std::string in_feet_inches_eighths(double metres) {
+  // Rounded once, in sixteenths: so twelve inches or eight eighths are never written.
   const long count = std::lround(std::abs(metres) / kFoot * kSixteenths);
   const long sixteenths = count % 16;
+  // No sign before nothing.
   std::string text = metres < 0.0 && count != 0 ? "-" : "";
   text += std::to_string(count / kSixteenths) + "-" + std::to_string(count % kSixteenths / 16);
+  // Eighths; an odd sixteenth is the plus.
   text += "-" + std::to_string(sixteenths / 2);
   return sixteenths % 2 == 0 ? text : text + "+";
 }
@@ -34,6 +37,7 @@ int decimals_of(const std::vector<double>& metres, LengthUnit unit) {
     const double step = std::pow(10.0, -decimals);
     const auto is_told = [step, unit](double length) {
       const double value = length / metres_of(unit);
+      // Half of the last unit that three decimals tell.
       return std::abs(std::round(value / step) * step - value) <= 5e-4;
     };
     if (std::all_of(metres.begin(), metres.end(), is_told)) return decimals;

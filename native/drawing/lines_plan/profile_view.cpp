@@ -8,6 +8,7 @@ namespace hull::drawing {
 namespace {
 
 GridBox profile_grid(const View& view, const HullExtents& extents) {
+  // Upper left and lower right, as y runs down the page.
   GridBox grid(view.to_page(extents.aft, extents.top), view.to_page(extents.fore, extents.bottom));
   grid.min() -= Eigen::Vector2d::Constant(kOverhang);
   grid.max() += Eigen::Vector2d::Constant(kOverhang);

@@ -26,8 +26,10 @@ std::vector<surface::CubicSpline> part_of(const surface::CubicSpline& spline, in
   ends.push_back(spline.end());
   std::vector<surface::CubicSpline> parts;
   for (std::size_t i = 1; i < ends.size(); ++i) {
+    // The spline begins or ends on the limit.
     if (!(ends[i - 1] < ends[i])) continue;
     const double middle = 0.5 * (ends[i - 1] + ends[i]);
+    // No crossing lies within, so the middle tells for the whole part.
     const bool above = spline.evaluate(middle, 0).point[axis] >= limit;
     if (above == (side == LimitSide::kAbove)) {
       parts.push_back(part_of_spline(spline, ends[i - 1], ends[i]));
@@ -55,6 +57,7 @@ std::vector<std::vector<Vector3d>> part_of_curve(const std::vector<Vector3d>& cu
       const Vector3d& inside = now ? curve[i] : curve[i - 1];
       // Where the kept end is on the limit itself it is the crossing.
       if (inside[axis] != limit) part.push_back(crossing(curve[i - 1], curve[i], axis, limit));
+      // A part that ends is closed by its crossing; one that begins has it as its first point.
       if (!now) finish();
     }
     if (now) part.push_back(curve[i]);
@@ -75,6 +78,7 @@ std::vector<ShipCurve> part_of_curve(const ShipCurve& curve, int axis, double li
     return parts;
   }
   std::vector<surface::CubicSpline> splines = part_of(*curve.spline, axis, limit, side);
+  // Both run from the curve's begin to its end, so that the n-th is the same part in each.
   if (splines.size() != parts.size()) return parts;
   for (std::size_t i = 0; i < parts.size(); ++i) parts[i].spline = std::move(splines[i]);
   return parts;

@@ -18,6 +18,8 @@ constexpr int kHalvings = 60;
 // algorithm with another argument in each round.
 Vector3d blossom(const surface::CubicSpline& spline, double t, const double* arguments) {
   const auto& knots = spline.knots();
+  // The span that holds t; at the very end the last one, as the search leaves out the last four
+  // knots.
   const auto span = std::upper_bound(knots.begin() + 4, knots.end() - 4, t) - knots.begin() - 1;
   const double* k = &knots[span - 2];
   const Vector3d* p = &spline.points()[span - 3];
@@ -34,6 +36,7 @@ Vector3d blossom(const surface::CubicSpline& spline, double t, const double* arg
 
 double bisected(const surface::CubicSpline& spline, int axis, double limit, double low, double high,
                 bool above_at_low) {
+  // To the last bit of a double, as parts end exactly at the limit.
   for (int i = 0; i < kHalvings; ++i) {
     const double middle = 0.5 * (low + high);
     const bool above = spline.evaluate(middle, 0).point[axis] >= limit;
@@ -46,6 +49,7 @@ double bisected(const surface::CubicSpline& spline, int axis, double limit, doub
 
 surface::CubicSpline part_of_spline(const surface::CubicSpline& spline, double from, double to) {
   assert(spline.begin() <= from && from < to && to <= spline.end());
+  // Fourfold, so that the part ends in its first and last control points.
   std::vector<double> knots(4, from);
   for (const double knot : spline.knots()) {
     if (from < knot && knot < to) knots.push_back(knot);
@@ -59,6 +63,7 @@ surface::CubicSpline part_of_spline(const surface::CubicSpline& spline, double f
       span = wanted;
       if (knots[span] < knots[span + 1]) break;
     }
+    // A control point is the blossom at the three knots after its first one (polar forms).
     points.push_back(blossom(spline, 0.5 * (knots[span] + knots[span + 1]), &knots[i + 1]));
   }
   return surface::CubicSpline(std::move(points), std::move(knots));
@@ -74,10 +79,12 @@ std::vector<double> crossings_of_spline(const surface::CubicSpline& spline, int 
     if (!(knots[span] < knots[span + 1])) continue;
     for (int step = 1; step <= kStepsPerSpan; ++step) {
       const double share = static_cast<double>(step) / kStepsPerSpan;
+      // The knot itself, so that spans join without a gap by rounding.
       const double t = step == kStepsPerSpan
                            ? knots[span + 1]
                            : knots[span] + share * (knots[span + 1] - knots[span]);
       const bool now = spline.evaluate(t, 0).point[axis] >= limit;
+      // One that only touches the limit keeps its side and is no crossing.
       if (now != above) found.push_back(bisected(spline, axis, limit, previous, t, above));
       above = now;
       previous = t;

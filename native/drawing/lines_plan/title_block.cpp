@@ -55,6 +55,7 @@ void draw_table(SheetBuilder& builder, const AlignedBox2d& box,
   const std::size_t row_count = rows(particulars.size());
   const double column_width = box.sizes().x() / columns(particulars.size());
   for (std::size_t i = 0; i < particulars.size(); ++i) {
+    // Down the first column, then down the second.
     const double left = box.min().x() + (i / row_count) * column_width + kPadding;
     const double right = left + column_width - 2.0 * kPadding;
     const double y = box.min().y() + 1.2 + kRow * (0.5 + i % row_count);
@@ -62,6 +63,7 @@ void draw_table(SheetBuilder& builder, const AlignedBox2d& box,
     // The value is what the row is for: it gets its room first.
     const FittedText value = fit_text(particulars[i].value, kLabelSize, false, 0.6 * width);
     const double taken = text_size(value.text, value.size, false).width;
+    // The same as measured: put() fits the text anew.
     put(builder, particulars[i].value, {}, {right, y}, Align::kRight, 0.6 * width);
     put(builder, particulars[i].name, {.ink = inks::kGrey}, {left, y}, Align::kLeft,
         width - taken - 2.0);
@@ -70,8 +72,10 @@ void draw_table(SheetBuilder& builder, const AlignedBox2d& box,
 
 // The length of one of the bar's five parts: 1, 2 or 5 times a power of ten.
 double bar_part(double mm_per_unit) {
+  // In units of length, so that the numbers along the bar are round ones.
   const double most = kLongestBar / 5.0 / mm_per_unit;
   const double power = std::pow(10.0, std::floor(std::log10(most)));
+  // The longest that the bar has room for.
   for (const double mantissa : {5.0, 2.0}) {
     if (mantissa * power <= most) return mantissa * power;
   }
@@ -96,6 +100,7 @@ void draw_scale_bar(SheetBuilder& builder, const AlignedBox2d& box, double scale
     char text[32];
     std::snprintf(text, sizeof text, "%g", i * part);
     const TextStyle style{.size = 2.4};
+    // By the number alone, without its unit.
     const double half = 0.5 * text_size(text, style.size, false).width;
     // The unit hangs over to the right, so that the number stays above its mark.
     const std::string shown = i == 5 ? std::string(text) + " " + symbol_of(unit) : text;
@@ -125,6 +130,7 @@ void draw_title_block(SheetBuilder& builder, const LinesSheet& sheet, const Line
   const AlignedBox2d& box = sheet.title_block;
   const double left = box.min().x(), right = box.max().x();
   const double top = box.min().y(), bottom = box.max().y();
+  // The other two sides are the sheet's frame.
   builder.draw(pens::kFrame, {{left, bottom}, {left, top}, {right, top}});
   draw_heading(builder, box, sheet, drawing);
   double y = top + kTitleRow;

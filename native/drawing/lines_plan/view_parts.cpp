@@ -24,6 +24,7 @@ struct Slot {
   double angle;
 };
 
+// Into (-90, 90] degrees, so that no label stands on its head.
 double turned_upright(double angle) {
   if (angle > 0.5 * std::numbers::pi) return angle - std::numbers::pi;
   if (angle <= -0.5 * std::numbers::pi) return angle + std::numbers::pi;
@@ -39,8 +40,11 @@ std::vector<double> arc_lengths(const PagePath& path) {
 }
 
 Vector2d point_at(const PagePath& path, const std::vector<double>& lengths, double length) {
+  // Strictly beyond, while the point before is not: the divisor is never nothing, though points may
+  // be there twice.
   const auto upper = std::upper_bound(lengths.begin(), lengths.end(), length);
   if (upper == lengths.begin()) return path.front();
+  // At the very end, or beyond it by rounding.
   if (upper == lengths.end()) return path.back();
   const auto i = upper - lengths.begin();
   const double t = (length - lengths[i - 1]) / (lengths[i] - lengths[i - 1]);
@@ -56,10 +60,12 @@ std::vector<Slot> slots_along(const PagePath& path, double width, double bend) {
   if (total < 3.0 * width) return slots;
   const int count = std::clamp(static_cast<int>(total), 10, 600);
   for (int k = 0; k <= count; ++k) {
+    // Half a width is left free at either end of the curve.
     const double middle = width + (total - 2.0 * width) * k / count;
     const Vector2d start = point_at(path, lengths, middle - 0.5 * width);
     const Vector2d end = point_at(path, lengths, middle + 0.5 * width);
     const Vector2d centre = point_at(path, lengths, middle);
+    // The sagitta of the stretch: a straight label would leave a bent curve.
     if ((centre - 0.5 * (start + end)).norm() > bend) continue;
     const Vector2d chord = end - start;
     slots.push_back({centre, turned_upright(std::atan2(chord.y(), chord.x()))});
@@ -104,6 +110,7 @@ PlacedCurve draw_ship_curve(SheetBuilder& builder, const Pen& pen, const Project
   };
   PagePath path = on_page(curve.points);
   std::optional<PageSpline> spline;
+  // An affine map, which takes a spline's control points along with the curve.
   if (curve.spline) spline = PageSpline{on_page(curve.spline->points()), curve.spline->knots()};
   const int number = builder.draw_curve(pen, path, std::move(spline));
   return {std::move(path), number};
@@ -172,11 +179,15 @@ void label_on_curve(SheetBuilder& builder, const View& view, const std::vector<P
   const double width = SheetBuilder::text_box(text, style, {0.0, 0.0}).half.x() * 2.0;
   std::vector<Slot> slots = slots_along(curve->path, width, 0.15 * style.size);
   for (const double x : wanted) {
+    // Stable, so that of two slots equally near the first along the curve is taken on every
+    // machine.
     std::stable_sort(slots.begin(), slots.end(), [x](const Slot& a, const Slot& b) {
       return std::abs(a.centre.x() - x) < std::abs(b.centre.x() - x);
     });
+    // Farther away the next place that is wanted is tried instead.
     const double reach = 0.25 * view.bounds.sizes().x();
     for (const Slot& slot : slots) {
+      // Sorted by distance: those that follow are farther yet.
       if (std::abs(slot.centre.x() - x) > reach) break;
       const OrientedBox box =
           SheetBuilder::text_box(text, style, slot.centre, Align::kCentre, slot.angle);
@@ -211,6 +222,7 @@ void draw_heights(SheetBuilder& builder, const View& view, const GridBox& grid,
   const auto within = [&](double z) { return z >= bottom && z <= top; };
   for (const NamedCurves& waterline : drawing.waterlines) {
     if (!within(waterline.position)) continue;
+    // Heavier, and named before its neighbours where there is not room for all.
     const bool design = is_design_waterline(drawing, waterline);
     const double y = view.to_page(0.0, waterline.position).y();
     draw_horizontal(builder, design ? pens::kDesignWaterline : pens::kGrid, grid, y);

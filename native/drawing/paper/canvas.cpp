@@ -22,6 +22,7 @@ using Eigen::Vector2d;
 
 namespace {
 
+// Points of 1/72 inch are what PDF and SVG count in.
 constexpr double kPointsPerMm = 72.0 / 25.4;
 constexpr double kDotsPerMm = 8.0;
 constexpr double kMostDots = 5000.0;
@@ -66,6 +67,7 @@ CairoSurface make_surface(const Sheet& sheet, FileKind kind, std::string& bytes)
   const double height = sheet.height * kPointsPerMm;
   switch (kind) {
     case FileKind::kPdf: {
+      // The surface keeps the address of `bytes`, which has to outlive it.
       CairoSurface surface(
           cairo_pdf_surface_create_for_stream(append_bytes, &bytes, width, height));
       cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_TITLE, sheet.title.c_str());
@@ -74,11 +76,13 @@ CairoSurface make_surface(const Sheet& sheet, FileKind kind, std::string& bytes)
     case FileKind::kSvg: {
       CairoSurface surface(
           cairo_svg_surface_create_for_stream(append_bytes, &bytes, width, height));
+      // Else the numbers would be pixels, and the sheet not at its true size.
       cairo_svg_surface_set_document_unit(surface.get(), CAIRO_SVG_UNIT_PT);
       return surface;
     }
     case FileKind::kPng: {
       const double dots = dots_per_mm(sheet);
+      // No alpha channel: the paper is filled white before anything is drawn.
       return CairoSurface(cairo_image_surface_create(
           CAIRO_FORMAT_RGB24, static_cast<int>(std::lround(sheet.width * dots)),
           static_cast<int>(std::lround(sheet.height * dots))));
@@ -109,9 +113,11 @@ void draw_stroke(cairo_t* context, const Stroke& stroke) {
   set_colour(context, stroke.pen.colour);
   cairo_set_line_width(context, stroke.pen.width);
   const Dashes& dashes = stroke.pen.dashes;
+  // A pattern of zeros alone is an error, which a context keeps for good.
   cairo_set_dash(context, dashes.data(), is_dashed(dashes) ? kDashCount : 0, 0.0);
   const bool closed = stroke.points.size() > 2 && stroke.points.front() == stroke.points.back();
   cairo_new_path(context);
+  // The first one moves: there is no current point after cairo_new_path().
   for (const Vector2d& point : stroke.points) cairo_line_to(context, point.x(), point.y());
   // Closed by Cairo the ends are joined round; closed by a point they would be butted.
   if (closed) cairo_close_path(context);
@@ -127,14 +133,18 @@ void draw_fill(cairo_t* context, const Fill& fill) {
 void draw_label(cairo_t* context, const Label& label) {
   if (label.knockout) {
     cairo_set_source_rgb(context, 1.0, 1.0, 1.0);
+    // A little more than the text, so that the curve ends clear of its letters.
     add_polygon(context, label.box.grown(0.25).corners());
     cairo_fill(context);
   }
   cairo_save(context);
+  // In the label's own frame, turned about the box's centre, the text is level.
   cairo_translate(context, label.box.centre.x(), label.box.centre.y());
   cairo_rotate(context, label.box.angle);
   set_colour(context, label.ink);
   select_face(context, label.size, label.bold);
+  // A text's reference point is the left end of its baseline, which is above the box's bottom by
+  // the descent.
   cairo_move_to(context, -label.box.half.x(), label.box.half.y() - label.descent);
   cairo_show_text(context, label.text.c_str());
   cairo_restore(context);
@@ -146,6 +156,7 @@ void draw_picture(cairo_t* context, const Picture& picture) {
   if (cairo_surface_status(image.get()) != CAIRO_STATUS_SUCCESS) throw std::bad_alloc();
   unsigned char* const bytes = cairo_image_surface_get_data(image.get());
   const std::size_t stride = cairo_image_surface_get_stride(image.get());
+  // Row by row: Cairo pads rows to its own stride.
   for (int row = 0; row < picture.rows; ++row) {
     std::memcpy(bytes + row * stride,
                 picture.dots.data() + static_cast<std::size_t>(row) * picture.columns,
@@ -166,7 +177,9 @@ void draw_picture(cairo_t* context, const Picture& picture) {
 
 void draw_sheet(cairo_t* context, const Sheet& sheet) {
   cairo_set_source_rgb(context, 1.0, 1.0, 1.0);
+  // PDF's and SVG's pages would else be transparent.
   cairo_paint(context);
+  // Mitres of curves with sharp bends would be spikes.
   cairo_set_line_join(context, CAIRO_LINE_JOIN_ROUND);
   cairo_set_line_cap(context, CAIRO_LINE_CAP_BUTT);
   for (const Picture& picture : sheet.pictures) draw_picture(context, picture);
@@ -194,9 +207,11 @@ void write_sheet(const Sheet& sheet, const std::string& path) {
     cairo_show_page(context.get());
     check(cairo_status(context.get()), path);
   }
+  // An image is only dots in memory: it is made a file when all is drawn.
   if (kind == FileKind::kPng) {
     check(cairo_surface_write_to_png_stream(surface.get(), append_bytes, &bytes), path);
   }
+  // PDF and SVG are complete only now, so the status that counts is the one after.
   cairo_surface_finish(surface.get());
   check(cairo_surface_status(surface.get()), path);
   files::write_file_atomically(path, bytes);
@@ -211,6 +226,7 @@ void write_sheets(const std::vector<Sheet>& sheets, const std::string& path) {
   const CairoSurface surface = make_surface(sheets.front(), FileKind::kPdf, bytes);
   check(cairo_surface_status(surface.get()), path);
   for (const Sheet& sheet : sheets) {
+    // The surface was made in the first sheet's size.
     cairo_pdf_surface_set_size(surface.get(), sheet.width * kPointsPerMm,
                                sheet.height * kPointsPerMm);
     const CairoContext context(cairo_create(surface.get()));

@@ -10,6 +10,7 @@ using Eigen::Vector2d;
 
 namespace {
 
+// Long curves in runs of so many segments: of most runs the box alone tells that they are not near.
 constexpr std::size_t kRunLength = 16;
 
 // Whether the circles around both boxes do: quickly told of most.
@@ -30,6 +31,7 @@ int LabelPlacer::add_curve(const std::vector<Vector2d>& points) {
   for (std::size_t i = 0; i < points.size(); ++i) {
     curve.bounds.extend(points[i]);
     if (i == 0) continue;
+    // Neighbouring runs share a point, so that no segment is lost between them.
     if ((i - 1) % kRunLength == 0) curve.runs.emplace_back();
     Run& run = curve.runs.back();
     run.bounds.extend(points[i - 1]);
@@ -41,9 +43,11 @@ int LabelPlacer::add_curve(const std::vector<Vector2d>& points) {
 }
 
 bool LabelPlacer::is_free(const OrientedBox& box, int own_curve) const {
+  // Boxes come first: each is one comparison, a curve many.
   for (const OrientedBox& other : boxes_) {
     if (may_overlap(box, other) && overlap(box, other)) return false;
   }
+  // Upright boxes are told apart at once, also where the label is turned.
   const AlignedBox2d bounds = bounds_of(box);
   for (int i = 0; i < static_cast<int>(curves_.size()); ++i) {
     if (i == own_curve || !curves_[i].bounds.intersects(bounds)) continue;

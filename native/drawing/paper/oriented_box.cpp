@@ -36,6 +36,8 @@ OrientedBox OrientedBox::grown(double margin) const {
   return {centre, half + Vector2d::Constant(margin), angle};
 }
 
+// Convex shapes are apart exactly if they are so along the normal of one of their sides (separating
+// axes); a box has two directions of these.
 bool overlap(const OrientedBox& a, const OrientedBox& b) {
   return !(separated_by(along(a), a, b) || separated_by(across(a), a, b) ||
            separated_by(along(b), a, b) || separated_by(across(b), a, b));
@@ -50,6 +52,7 @@ bool overlap(const OrientedBox& box, const Vector2d& a, const Vector2d& b) {
   double first = 0.0, last = 1.0;
   for (int axis = 0; axis < 2; ++axis) {
     const double step = end[axis] - start[axis];
+    // Exactly along the slab there is no crossing: it is all in or all out.
     if (step == 0.0) {
       if (std::abs(start[axis]) >= box.half[axis]) return false;
       continue;

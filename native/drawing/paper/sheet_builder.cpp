@@ -32,6 +32,7 @@ void SheetBuilder::draw(const Pen& pen, PagePath points) {
 }
 
 int SheetBuilder::draw_curve(const Pen& pen, PagePath points, std::optional<PageSpline> spline) {
+  // Numbered also where nothing is drawn: numbers of curves and of obstacles stay the same.
   const int number = placer_.add_curve(points);
   if (points.size() > 1) sheet_.strokes.push_back({pen, std::move(points), std::move(spline)});
   return number;
@@ -42,6 +43,7 @@ OrientedBox SheetBuilder::text_box(const std::string& text, const TextStyle& sty
   const TextSize size = text_size(without_controls(text), style.size, style.bold);
   const Vector2d half(0.5 * size.width, 0.5 * (size.ascent + size.descent));
   const Vector2d along(std::cos(angle), std::sin(angle));
+  // On the page y runs down, so this is below the text.
   const Vector2d down(-along.y(), along.x());
   const double shift = align == Align::kLeft ? half.x() : align == Align::kRight ? -half.x() : 0.0;
   // Letters that hang below the baseline do not lift the others: texts in a row stay in line.
@@ -51,6 +53,7 @@ OrientedBox SheetBuilder::text_box(const std::string& text, const TextStyle& sty
 void SheetBuilder::put_text(const std::string& text, const TextStyle& style,
                             const OrientedBox& box) {
   if (text.empty()) return;
+  // Whatever comes later keeps clear of it.
   placer_.add_box(box);
   const std::string shown = without_controls(text);
   const double descent = text_size(shown, style.size, style.bold).descent;
@@ -59,6 +62,7 @@ void SheetBuilder::put_text(const std::string& text, const TextStyle& style,
 
 bool SheetBuilder::has_room(const OrientedBox& box, double clearance, const AlignedBox2d& bounds,
                             int own_curve) const {
+  // Without the clearance: a label may touch the bounds.
   for (const Vector2d& corner : box.corners()) {
     if (!bounds.contains(corner)) return false;
   }

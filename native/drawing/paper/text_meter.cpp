@@ -29,6 +29,7 @@ TextSize text_size(const std::string& text, double size, bool bold) {
   select_face(context.get(), kMeasuredEm, bold);
   cairo_text_extents_t extents;
   cairo_text_extents(context.get(), text.c_str(), &extents);
+  // Cairo's bearing is from the baseline to the top of the ink, negative upwards.
   const double descent = std::max(0.0, extents.y_bearing + extents.height) / kMeasuredEm;
   return {extents.x_advance * size / kMeasuredEm, kAscent * size, (descent + kBelow) * size};
 }
@@ -39,6 +40,8 @@ FittedText fit_text(const std::string& text, double size, bool bold, double widt
   const double smaller = std::max(size * width / wanted, kSmallestShare * size);
   std::string kept = text;
   std::string shown = text;
+  // The slack: a text made just as small as it must be is measured anew here, and rounding must not
+  // cost it a letter.
   while (!kept.empty() && text_size(shown, smaller, bold).width > width * (1.0 + 1e-9)) {
     remove_last_character(kept);
     shown = kept + "…";

@@ -24,6 +24,8 @@ Range dots_between(double low, double high, int count) {
           static_cast<int>(std::clamp(std::floor(high - 0.5), -1.0, count - 1.0))};
 }
 
+// Twice the area that is seen, with a sign: positive where the triangle turns clockwise on the
+// page, whose y is down.
 double across(const Vector3d& a, const Vector3d& b, const Vector3d& c) {
   return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
 }
@@ -45,6 +47,7 @@ class Painter {
     const auto& [i, j, k] = given_.triangles[number];
     const Vector3d &a = given_.points[i], &b = given_.points[j], &c = given_.points[k];
     const double area = across(a, b, c);
+    // Seen edge on it covers no dot.
     if (area == 0.0) return;
     const auto [left, right] = std::minmax({a.x(), b.x(), c.x()});
     const auto [top, bottom] = std::minmax({a.y(), b.y(), c.y()});
@@ -53,10 +56,13 @@ class Painter {
     const Vector3d depths(a.z(), b.z(), c.z());
     for (int row = rows.first; row <= rows.last; ++row) {
       for (int column = columns.first; column <= columns.last; ++column) {
+        // Barycentric coordinates. Divided by the signed area they are positive inside whichever
+        // way the triangle is turned.
         const Vector3d shares = shares_at({column + 0.5, row + 0.5, 0.0}, a, b, c) / area;
         if (shares.minCoeff() < kSide) continue;
         Nearest& there = nearest_[static_cast<std::size_t>(row) * width_ + column];
         const auto depth = static_cast<float>(shares.dot(depths));
+        // Of those equally near the first in order stays.
         if (depth > there.depth) there = {depth, number};
       }
     }
@@ -64,6 +70,7 @@ class Painter {
 
   SeenValues finish() const {
     SeenValues seen;
+    // Values are made only now, once a dot, and not for all that was painted over.
     for (int dot = 0; dot < static_cast<int>(nearest_.size()); ++dot) {
       if (nearest_[dot].triangle < 0) continue;
       seen.dots.push_back(dot);

@@ -12,6 +12,7 @@ constexpr double kLargest = 1e100;
 
 std::string quoted(const std::string& kind, const std::string& name, std::size_t index) {
   std::string words = kind;
+  // By the name that its maker gave it, or by its number.
   if (name.empty()) return words.append(" ").append(std::to_string(index));
   return words.append(" \"").append(name).append("\"");
 }
@@ -46,6 +47,8 @@ void check_curve(const PlotCurve& curve, const std::string& name, std::size_t ax
   }
   for (const std::vector<double>* values : {&curve.x, &curve.y}) {
     for (std::size_t i = 0; i < values->size(); ++i) {
+      // What is not finite interrupts a curve, and is well; what is too large would overflow in the
+      // scales.
       if (std::isfinite((*values)[i])) {
         check_number((*values)[i], "point " + std::to_string(i) + " of " + name);
       }
@@ -74,6 +77,7 @@ void check_plot(const Plot& plot) {
     const std::string name = quoted("marker", plot.markers[i].label, i);
     check_number(plot.markers[i].x, "x of " + name);
     check_number(plot.markers[i].y, "y of " + name);
+    // -1 is a marker of no curve.
     check_reference(plot.markers[i].curve, -1, plot.curves.size(), name);
   }
   for (std::size_t i = 0; i < plot.lines.size(); ++i) {

@@ -180,6 +180,7 @@ std::vector<AxisScale> x_scales(const Plot& plot, double width) {
       // Several axes share the lines of one grid, so each is divided into as many steps.
       scales.push_back(count > 1 ? divided_scale(range, steps)
                                  : suited_scale(plot.x_axes[i], range, steps));
+      // Room between the middles of neighbouring numbers, less the widest of them.
       const double step = scales.back().step / (scales.back().high - scales.back().low) * width;
       room = std::min(room, step - number_width(scales.back()));
     }

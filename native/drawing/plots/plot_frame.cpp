@@ -13,6 +13,7 @@ using Eigen::Vector2d;
 
 namespace {
 
+// Far below a line's width, so that a curve of many points makes a small file.
 constexpr double kMerged = 0.02;  // mm
 
 struct Segment {
@@ -21,6 +22,8 @@ struct Segment {
 
 // The part of a segment inside the box (Liang and Barsky 1984).
 std::optional<Segment> clipped(const Segment& segment, const AlignedBox2d& box) {
+  // What is inside lies beyond the sides by which the segment enters and before those by which it
+  // leaves.
   double enter = 0.0, leave = 1.0;
   const Vector2d along = segment.b - segment.a;
   for (int axis = 0; axis < 2; ++axis) {
@@ -33,6 +36,8 @@ std::optional<Segment> clipped(const Segment& segment, const AlignedBox2d& box) 
     }
   }
   if (enter > leave) return std::nullopt;
+  // Where nothing is cut the end stays as it is: computed anew, it would be off the next segment's
+  // begin by rounding.
   return Segment{segment.a + enter * along, leave < 1.0 ? segment.a + leave * along : segment.b};
 }
 
@@ -47,6 +52,7 @@ std::vector<std::vector<Vector2d>> finite_runs(const PlotCurve& curve) {
       runs.emplace_back();
     }
   }
+  // The last run is empty where a curve ends in numbers that are not finite.
   if (runs.back().empty()) runs.pop_back();
   return runs;
 }
@@ -58,6 +64,7 @@ void append(PagePath& path, const Vector2d& point) {
 void add_run(const PagePath& run, const AlignedBox2d& area, std::vector<PagePath>& paths) {
   PagePath path;
   const auto finish = [&] {
+    // What only touches the area, or is shorter than points are merged, is not drawn.
     if (path.size() > 1) paths.push_back(path);
     path.clear();
   };
@@ -67,6 +74,7 @@ void add_run(const PagePath& run, const AlignedBox2d& area, std::vector<PagePath
       finish();
       continue;
     }
+    // It left the area and came back elsewhere.
     if (!path.empty() && (seen->a - path.back()).norm() > kMerged) finish();
     append(path, seen->a);
     if (i + 1 == run.size() && path.size() > 1 && (seen->b - path.back()).norm() < kMerged) {
@@ -91,8 +99,10 @@ std::vector<Vector2d> part_between(const std::vector<Vector2d>& run, double from
     };
     cut_at(from - a.x(), along.x());
     cut_at(to - a.x(), along.x());
+    // Where y changes its sign, so that every piece is above or below as a whole.
     cut_at(-a.y(), along.y());
     std::sort(shares.begin(), shares.end());
+    // Points cut at from and to may lie beyond them by rounding.
     const double slack = 1e-12 * (std::abs(from) + std::abs(to));
     for (const double share : shares) {
       const Vector2d point = a + share * along;
@@ -134,6 +144,7 @@ std::vector<PagePath> area_polygons(const PlotCurve& curve, double from, double 
   from = std::max(std::min(from, to), scale.low);
   to = std::min(std::max(from, to), scale.high);
   const auto place = [&](double x, double y) {
+    // What reaches out of sight is filled up to the frame.
     const double shown = std::clamp(y, frame.y_axis.low, frame.y_axis.high);
     return frame.to_page(curve.x_axis, std::clamp(x, scale.low, scale.high), shown);
   };
@@ -142,6 +153,8 @@ std::vector<PagePath> area_polygons(const PlotCurve& curve, double from, double 
     const std::vector<Vector2d> part = part_between(run, from, to);
     std::size_t first = 0;
     while (first + 1 < part.size()) {
+      // The sign of the whole piece: cut at zero, none has both signs, but one of its ends may be
+      // zero.
       const bool above = part[first].y() + part[first + 1].y() > 0.0;
       PagePath polygon{place(part[first].x(), 0.0)};
       std::size_t last = first;
@@ -152,6 +165,7 @@ std::vector<PagePath> area_polygons(const PlotCurve& curve, double from, double 
       append(polygon, place(part[last].x(), part[last].y()));
       append(polygon, place(part[last].x(), 0.0));
       if (polygon.size() > 2) polygons.push_back(std::move(polygon));
+      // The point where the sign changes, on y = 0, begins the next polygon.
       first = last;
     }
   }

@@ -82,8 +82,10 @@ std::vector<LegendEntry> division_entries(const Plot& plot, const PlotFrame& fra
     if (signs.empty()) continue;
     LegendEntry entry = std::move(signs.back());
     signs.pop_back();
+    // The short sign is for those that share an entry.
     if (signs.empty()) entry.width = LegendEntry{}.width;
     entry.text += ": " + division_text(plot.x_axes[axis], frame.x_axes[axis]);
+    // The last curve carries the text that holds for all of them.
     entry.before = std::move(signs);
     entries.push_back(std::move(entry));
   }
@@ -121,6 +123,7 @@ std::vector<LegendEntry> legend_entries(const Plot& plot, const PlotFrame& frame
   }
   for (const PlotBar& bar : plot.bars) {
     const AxisScale& scale = frame.x_axes[0];
+    // As long as on the diagram, to measure by.
     const double width = bar.length / (scale.high - scale.low) * frame.area.sizes().x();
     entries.push_back(
         {LegendSign::kBar, pens::kBaseline, bar.label, std::min(width, frame.area.sizes().x())});
@@ -144,11 +147,15 @@ Measures measure(const Plot& plot, const AlignedBox2d& content) {
     const bool fits = axes_height(AxesKind::kRulers, plot) <= kMostRulersShare * height;
     measures.kind = fits ? AxesKind::kRulers : AxesKind::kDivisions;
   }
+  // The legend's height is not known yet: it is taken for one row. Only how many steps there are
+  // depends on it.
   frame.y_axis = y_scale(plot, height - axes_height(measures.kind, plot) - kLegendRow);
   const double left = content.min().x() + kAxisNameRow + number_width(frame.y_axis) + 2.6;
   double right = content.max().x() - kRightOfFrame;
   frame.x_axes = x_scales(plot, right - left);
   if (measures.kind == AxesKind::kRulers) {
+    // The column beside the rulers has the units that follow from the scales; these are then made
+    // anew for the width that is left.
     const double column = ruler_column(plot, frame.x_axes);
     right = content.max().x() - std::min(column, kMostRulerColumn * content.sizes().x());
     frame.x_axes = x_scales(plot, right - left);
@@ -168,6 +175,7 @@ std::vector<PlottedCurve> draw_curves(SheetBuilder& builder, const Plot& plot,
     for (const PagePath& path : plotted.paths) {
       if (path.size() == 1) {
         builder.fill(pen.colour, dot_outline(path.front()));
+        // As an obstacle a dot is a little larger than it is drawn.
         builder.occupy({path.front(), Vector2d::Constant(1.0)});
         plotted.numbers.push_back(LabelPlacer::kNoCurve);
       } else {
@@ -215,6 +223,7 @@ Attempt attempt(const Plot& plot, const PlotPage& page, const Unlabelled& unlabe
   draw_y_axis(builder, plot, frame, content.min().x());
   draw_x_axes(builder, plot, frame, kind, content.max().x());
   legend.draw(builder, {content.min().x(), content.max().y() - legend.height()});
+  // Curves first, then marks, then symbols: each avoids what is there, and curves can't give way.
   const std::vector<PlottedCurve> curves = draw_curves(builder, plot, frame);
   const Unlabelled left = draw_marks(builder, plot, frame, unlabelled);
   draw_symbols(builder, plot, frame, curves);
@@ -225,6 +234,7 @@ Attempt attempt(const Plot& plot, const PlotPage& page, const Unlabelled& unlabe
 
 void check_page(const PlotPage& page) {
   for (const double side : {page.width, page.height}) {
+    // Written so that what is no number fails too.
     const double room = side - 2.0 * page.margin;
     if (!(page.margin >= 0.0) || !(room >= kLeastPlotSide) || !(side <= kGreatestPlotSide)) {
       throw std::invalid_argument("A plot cannot be laid out on " + number_text(page.width) +

@@ -40,6 +40,7 @@ double texts_width(const LegendEntry& entry) {
 }
 
 // share: of the texts' usual size.
+// Signs are as long as they are; only texts are made smaller.
 double entry_width(const LegendEntry& entry, double share = 1.0) {
   return signs_width(entry) + share * texts_width(entry);
 }
@@ -53,6 +54,7 @@ double widest_entry(std::span<const LegendEntry> entries, double share = 1.0) {
 // The widths of columns of so many rows, each as wide as its entries are at the least share.
 std::vector<double> own_widths(std::span<const LegendEntry> entries, int rows) {
   std::vector<double> widths;
+  // Entries run down the columns.
   for (std::size_t i = 0; i < entries.size(); i += rows) {
     const std::size_t count = std::min<std::size_t>(rows, entries.size() - i);
     widths.push_back(widest_entry(entries.subspan(i, count), kLeastShare));
@@ -70,6 +72,7 @@ std::vector<double> fitted_widths(std::span<const LegendEntry> entries, int rows
   return widths;
 }
 
+// With one gap more on both sides of the division, as n columns have n - 1 gaps.
 int columns_of(double column_width, double width) {
   return static_cast<int>((width + kColumnSpace) / (column_width + kColumnSpace));
 }
@@ -85,6 +88,8 @@ void put(SheetBuilder& builder, const std::string& text, const Vector2d& place, 
 void draw_entry(SheetBuilder& builder, const LegendEntry& entry, Vector2d place, double width) {
   const double right = place.x() + width;
   const double texts = texts_width(entry);
+  // The signs keep their length; the texts share what is left. The divisor is never nothing, also
+  // of an entry without text.
   const double share = std::min(1.0, (width - signs_width(entry)) / std::max(texts, kTextSize));
   for (const LegendEntry& one : entry.before) {
     draw_sign(builder, one, place);
@@ -128,6 +133,7 @@ PlotLegend::PlotLegend(std::vector<LegendEntry> entries, double width, int most_
   const double widest = widest_entry(entries_);
   const int count = static_cast<int>(entries_.size());
   int columns = std::clamp(columns_of(widest, width), 1, count);
+  // Smaller texts in narrower columns only where the usual ones would take too many rows.
   if (columns * most_rows < count) {
     columns = std::clamp(columns_of(widest_entry(entries_, kLeastShare), width), columns, count);
   }
@@ -138,12 +144,14 @@ PlotLegend::PlotLegend(std::vector<LegendEntry> entries, double width, int most_
       if (!column_widths_.empty()) return;
     }
     rows_ = most_rows;
+    // The last place is for how many are left out.
     const std::size_t shown = static_cast<std::size_t>(rows_) * columns - 1;
     left_out_ = entries_.size() - shown;
     entries_.resize(shown);
   } else {
     columns = (count + rows_ - 1) / rows_;  // as even as the rows allow
   }
+  // No wider than the widest entry needs: a short legend stays together at the left.
   const double own =
       columns > 1 ? std::min((width + kColumnSpace) / columns - kColumnSpace, widest + kColumnSpace)
                   : width;

@@ -34,6 +34,7 @@ Ink ink_of(const Plot& plot, const PlotMarker& marker) {
 OrientedBox box_beside(const std::string& text, const TextStyle& style, const Vector2d& point,
                        const Vector2d& direction, double distance) {
   OrientedBox box = SheetBuilder::text_box(text, style, point);
+  // Along an axis the middle of the box's side comes nearest, along a diagonal its corner.
   box.centre += Vector2d(direction.x() * (box.half.x() + distance),
                          direction.y() * (box.half.y() + distance));
   return box;
@@ -41,14 +42,17 @@ OrientedBox box_beside(const std::string& text, const TextStyle& style, const Ve
 
 bool put_marker_text(SheetBuilder& builder, const std::string& text, const Ink& ink,
                      const Vector2d& dot, const AlignedBox2d& bounds) {
+  // The corners first: beside a dot on a curve they are where the curve most seldom is.
   static const std::array<Vector2d, 8> kDirections{
       {{1, -1}, {-1, -1}, {1, 1}, {-1, 1}, {1, 0}, {-1, 0}, {0, -1}, {0, 1}}};
   const TextStyle style{.size = kMarkSize, .ink = ink, .knockout = true};
+  // All directions at one distance before the next: the text is as near as there is room.
   for (const double distance : {0.8, 1.6, 2.8, 4.5, 7.0, 10.0, 14.0}) {
     for (const Vector2d& direction : kDirections) {
       const OrientedBox box = box_beside(text, style, dot, direction, distance + 0.5 * kDotRadius);
       if (!builder.has_room(box, kClearance, bounds)) continue;
       if (distance > kLeaderFrom) {
+        // The corner of the box that is nearest to the dot, or the middle of its side.
         const Vector2d end = dot + (distance + 0.5 * kDotRadius) * direction;
         const Vector2d begin = dot + (kDotRadius + 0.2) * direction.normalized();
         if (!builder.placer().is_free(begin, end)) continue;
@@ -67,6 +71,7 @@ bool put_line_text(SheetBuilder& builder, const PlotLine& line, const Vector2d& 
   const TextStyle style{.size = kMarkSize, .ink = inks::kGrey, .knockout = true};
   const double angle = line.vertical ? -0.5 * std::numbers::pi : 0.0;
   const Vector2d along = (to - from).normalized();
+  // Up from a horizontal line, to the left of a vertical one; the other hand is tried first.
   const Vector2d aside(along.y(), -along.x());
   OrientedBox box = SheetBuilder::text_box(line.label, style, from, Align::kCentre, angle);
   const double length = (to - from).norm();
@@ -74,7 +79,9 @@ bool put_line_text(SheetBuilder& builder, const PlotLine& line, const Vector2d& 
   constexpr int kTries = 24;
   for (const double side : {-1.0, 1.0}) {
     for (int i = 0; i <= kTries; ++i) {
+      // From the line's end to its begin, the whole text within.
       const double at = length - half - (length - 2.0 * half) * i / kTries;
+      // A text longer than its line finds no place.
       if (at < half) continue;
       box.centre = from + at * along + side * (box.half.y() + 0.8) * aside;
       if (!builder.has_room(box, 0.3, bounds)) continue;
@@ -119,6 +126,7 @@ bool put_symbol(SheetBuilder& builder, const std::string& text, const TextStyle&
       return true;
     }
     const Vector2d normal(-point.along.y(), point.along.x());
+    // Then beside it, on either hand.
     for (const double side : {1.0, -1.0}) {
       const OrientedBox beside = box_beside(text, style, point.at, side * normal, 0.9);
       if (builder.has_room(beside, 0.3, bounds)) {
@@ -153,11 +161,13 @@ Unlabelled draw_marks(SheetBuilder& builder, const Plot& plot, const PlotFrame& 
     const PlotLine& line = plot.lines[i];
     const AxisScale& scale = line.vertical ? frame.x_axes[0] : frame.y_axis;
     if (line.at < scale.low || line.at > scale.high) {
+      // Out of sight, but not unknown.
       without.lines.insert(i);
       continue;
     }
     const Vector2d &low = frame.area.min(), &high = frame.area.max();
     const double x = frame.page_x(0, line.at), y = frame.page_y(line.at);
+    // A vertical line runs up the page, as its text does.
     const Trace trace = line.vertical ? Trace{i, {x, high.y()}, {x, low.y()}}
                                       : Trace{i, {low.x(), y}, {high.x(), y}};
     builder.draw_curve(pens::kReference, {trace.from, trace.to});
@@ -167,11 +177,13 @@ Unlabelled draw_marks(SheetBuilder& builder, const Plot& plot, const PlotFrame& 
   for (const PlotMarker& marker : plot.markers) {
     const Vector2d dot = frame.to_page(axis_of(plot, marker), marker.x, marker.y);
     const bool seen = frame.area.exteriorDistance(dot) < 1e-9;
+    // Marks out of sight keep their place in the list, which is by number.
     dots.push_back(seen ? std::optional(dot) : std::nullopt);
     if (!seen) continue;
     builder.fill(ink_of(plot, marker), dot_outline(dot));
     builder.occupy({dot, Vector2d::Constant(kDotRadius)});
   }
+  // Only now, when all dots are obstacles: none is hidden by the text of another.
   for (int i = 0; i < static_cast<int>(plot.markers.size()); ++i) {
     const PlotMarker& marker = plot.markers[i];
     if (marker.label.empty() || in_legend.markers.contains(i)) continue;
@@ -184,6 +196,7 @@ Unlabelled draw_marks(SheetBuilder& builder, const Plot& plot, const PlotFrame& 
       without.markers.insert(i);
     }
   }
+  // After the markers' texts, as these can't move along a line.
   for (const Trace& trace : traces) {
     const PlotLine& line = plot.lines[trace.number];
     if (!line.label.empty() && !in_legend.lines.contains(trace.number) &&
@@ -201,6 +214,7 @@ void draw_symbols(SheetBuilder& builder, const Plot& plot, const PlotFrame& fram
     if (symbol.empty()) continue;
     const TextStyle style{
         .size = kMarkSize, .ink = colour_of(plot, plotted.curve), .knockout = true};
+    // From the last part on: near the ends of curves they are apart.
     for (std::size_t i = plotted.paths.size(); i-- > 0;) {
       if (plotted.paths[i].size() < 2) continue;
       if (put_symbol(builder, symbol, style, plotted.paths[i], plotted.numbers[i], frame.area)) {

@@ -25,6 +25,8 @@ dxf::DxfDrawing shop_dxf(const ShopDrawing& drawing) {
   file.unit = dxf::DxfUnit::kMillimetre;
   const auto layer = [&file](ShopLayer wanted) {
     const ShopPen pen = shop_pen(wanted);
+    // Layers are made as lines ask for them, so that a file has none that are empty but that of
+    // texts.
     const std::string name(pen.pen.layer);
     const auto found = std::find_if(file.layers.begin(), file.layers.end(),
                                     [&name](const auto& own) { return own.name == name; });
@@ -40,6 +42,8 @@ dxf::DxfDrawing shop_dxf(const ShopDrawing& drawing) {
   const auto words = static_cast<int>(file.layers.size());
   file.layers.push_back({"TEXT", 7, kWordWidth});
   for (const ShopText& text : drawing.texts) {
+    // DXF places a text by its baseline, the drawing by the middle of its capitals. At true size a
+    // mm of paper is one of the drawing.
     const double height = kCapitals * text.size;
     const Vector2d up(-std::sin(text.angle), std::cos(text.angle));
     file.texts.push_back(

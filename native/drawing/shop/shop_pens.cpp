@@ -42,6 +42,7 @@ ShopPen shop_pen(ShopLayer layer) {
 ShopLayer shop_layer(const std::string& name) {
   std::string known;
   for (const ShopLayer layer : kLayers) {
+    // The pens alone know the names, so none can differ from the file's.
     const std::string_view own = shop_pen(layer).pen.layer;
     if (own == name) return layer;
     known += (known.empty() ? "" : ", ") + std::string(own);

@@ -65,6 +65,7 @@ std::vector<PagePath> clipped(const PagePath& path, const AlignedBox2d& box) {
     if (!clip(box, path[i - 1], path[i], from, to)) continue;
     const Vector2d way = path[i] - path[i - 1];
     const Vector2d begin = path[i - 1] + from * way, end = path[i - 1] + to * way;
+    // Bit for bit: an end that was not cut is the next begin.
     if (parts.empty() || parts.back().back() != begin) parts.push_back({begin});
     parts.back().push_back(to == 1.0 ? path[i] : end);
   }
@@ -86,7 +87,9 @@ void draw_content(SheetBuilder& builder, const ShopDrawing& drawing, const PageM
   }
   for (const ShopText& text : drawing.texts) {
     const TextStyle style{.size = text_scale * text.size, .knockout = true};
+    // Smaller letters would be specks.
     if (style.size < 0.9) continue;
+    // Up for one who reads the text; on the page y runs down.
     const Vector2d up(-std::sin(text.angle), -std::cos(text.angle));
     const Vector2d at = map(text.position) + text_scale * text.lift * up;
     if (!window.contains(at)) continue;
@@ -273,6 +276,7 @@ Sheet shop_page(const ShopDrawing& drawing, const PaperSize& paper) {
   const Vector2d size = box.sizes().cwiseMax(1e-9);
   const double fit = room_on(paper).cwiseQuotient(size).minCoeff();
   // 1, 2, 2.5 or 5 times a power of ten.
+  // Enlargements are not usual in the shop: 1:1 at most.
   double scale = 1.0;
   for (double power = 1.0; power < 1e9 && scale > fit; power *= 10.0) {
     for (const double step : {1.0, 2.0, 2.5, 5.0}) {

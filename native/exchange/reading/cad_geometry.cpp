@@ -43,6 +43,7 @@ void give(const std::string& text, const TopoDS_Shape& shape, Texts& texts) {
     }
   };
   give_all(TopExp_Explorer(shape, TopAbs_FACE));
+  // Edges outside faces alone: those within have the text of none.
   give_all(TopExp_Explorer(shape, TopAbs_EDGE, TopAbs_FACE));
 }
 
@@ -54,13 +55,16 @@ std::string text_for(const TopoDS_Shape& shape, const Texts& texts) {
 Handle(Geom_BSplineCurve) spline_of(const TopoDS_Edge& edge) {
   double begin = 0.0, end = 0.0;
   Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, begin, end);
+  // The edge has only a line in a surface's (u, v): its curve in space is made of that.
   if (curve.IsNull()) {
     BRepLib::BuildCurve3d(edge);
     curve = BRep_Tool::Curve(edge, begin, end);
   }
+  // A whole line or parabola, while B-splines have ends.
   if (curve.IsNull() || Precision::IsInfinite(begin) || Precision::IsInfinite(end)) return nullptr;
   const Handle(Geom_BSplineCurve) spline =
       GeomConvert::CurveToBSplineCurve(new Geom_TrimmedCurve(curve, begin, end));
+  // A periodic one has fewer points than its knots tell.
   if (!spline.IsNull() && spline->IsPeriodic()) spline->SetNotPeriodic();
   return spline;
 }
@@ -69,6 +73,7 @@ CadSpline values_of(const Geom_BSplineCurve& spline) {
   CadSpline values;
   values.degree = spline.Degree();
   for (int i = 1; i <= spline.NbKnots(); ++i) {
+    // Repeated, while Open CASCADE has each once with its multiplicity.
     values.knots.insert(values.knots.end(), spline.Multiplicity(i), spline.Knot(i));
   }
   for (int i = 1; i <= spline.NbPoles(); ++i) values.points.push_back(in_metres(spline.Pole(i)));
@@ -101,6 +106,7 @@ class GeometryReader {
       CadSpline values = values_of(*spline);
       values.name = text_for(edge, names_);
       values.layer = text_for(edge, layers_);
+      // Counted once for each use: a seam within one face has two.
       values.faces = faces(i).Extent();
       geometry.curves.push_back(std::move(values));
     }
@@ -114,6 +120,7 @@ class GeometryReader {
       TopLoc_Location location;
       const Handle(Poly_Triangulation) mesh = BRep_Tool::Triangulation(face, location);
       if (mesh.IsNull() || mesh->NbTriangles() == 0) {
+        // Counted, and told to the user: nothing is missing in silence.
         ++geometry.faces_left_out;
         continue;
       }
@@ -127,6 +134,7 @@ class GeometryReader {
     TopTools_IndexedDataMapOfShapeListOfShape edges;
     TopExp::MapShapesAndAncestors(shape_, TopAbs_VERTEX, TopAbs_EDGE, edges);
     for (int i = 1; i <= edges.Extent(); ++i) {
+      // Ends of edges are told by their curves.
       if (!edges(i).IsEmpty()) continue;
       geometry.points.push_back(in_metres(BRep_Tool::Pnt(TopoDS::Vertex(edges.FindKey(i)))));
     }
@@ -149,7 +157,9 @@ class GeometryReader {
 // Of the box around the shape, mm.
 double diagonal_of(const TopoDS_Shape& shape, const std::string& refusal) {
   Bnd_Box box;
+  // By curves and surfaces: there are no triangles yet.
   BRepBndLib::Add(shape, box, Standard_False);
+  // Empty, or without end in some direction, as a plane without borders.
   if (box.IsVoid() || box.IsOpen()) {
     throw files::FileError(refusal + "it holds nothing that has ends");
   }
@@ -167,6 +177,7 @@ CadGeometry read_cad_geometry(const std::string& path, double chord_share,
         read_cad_content(path, refusal, surface::part_of(progress, 0.0, kFileRead));
     const double diagonal = diagonal_of(content.shape, refusal);
     const double chord = chord_share * diagonal;
+    // A single point has no extent and nothing to be meshed.
     if (chord > 0.0) BRepMesh_IncrementalMesh(content.shape, chord, Standard_False, kMeshAngle);
     surface::tell(progress, kMeshed, 1.0);
     CadGeometry geometry;

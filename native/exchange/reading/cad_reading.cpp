@@ -16,6 +16,7 @@ std::string first_line(const std::string& path, const std::string& refusal) {
   if (std::filesystem::is_directory(path)) throw files::FileError(refusal + "it is a folder");
   std::ifstream file(path, std::ios::binary);
   if (!file) throw files::FileError(refusal + std::strerror(errno));
+  // As long as a line of IGES: enough to tell either format.
   std::string line(80, ' ');
   file.read(line.data(), static_cast<std::streamsize>(line.size()));
   line.resize(static_cast<std::size_t>(file.gcount()));

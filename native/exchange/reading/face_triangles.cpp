@@ -24,6 +24,7 @@ class FinerTriangles {
     const gp_Trsf& move = location.Transformation();
     for (int i = 1; i <= mesh.NbNodes(); ++i) {
       points_.push_back(mesh.Node(i).Transformed(move).XYZ());
+      // In the surface's own (u, v), without the location, which the adaptor adds itself.
       if (mesh.HasUVNodes()) places_.push_back(mesh.UVNode(i).XY());
     }
     for (int i = 1; i <= mesh.NbTriangles(); ++i) {
@@ -31,6 +32,7 @@ class FinerTriangles {
       mesh.Triangle(i).Get(a, b, c);
       triangles_.push_back({a - 1, b - 1, c - 1});
     }
+    // Without places in (u, v) nothing can be measured, and the triangles stay.
     for (int cut = 0; cut < kMostCuts && !places_.empty() && halve_sides(); ++cut) {
     }
   }
@@ -49,6 +51,7 @@ class FinerTriangles {
   using Triangle = std::array<int, 3>;
   using Side = std::pair<int, int>;
 
+  // The smaller number first: both triangles of a side find the same one.
   static Side side_of(const Triangle& t, int k) { return std::minmax(t[k], t[(k + 1) % 3]); }
 
   gp_XYZ on_surface(const gp_XY& uv) const { return surface_.Value(uv.X(), uv.Y()).XYZ(); }
@@ -56,6 +59,8 @@ class FinerTriangles {
   // Whether any was.
   bool halve_sides() {
     middles_.clear();
+    // All are marked before any is divided: a side that is cut for one triangle is cut for its
+    // neighbour too, and no gap opens.
     for (const Triangle& t : triangles_) mark(t);
     if (middles_.empty()) return false;
     std::vector<Triangle> finer;
@@ -69,6 +74,8 @@ class FinerTriangles {
     const gp_XY uv = (places_[t[0]] + places_[t[1]] + places_[t[2]]) / 3.0;
     const gp_XYZ normal = (points_[t[1]] - points_[t[0]]).Crossed(points_[t[2]] - points_[t[0]]);
     const double size = normal.Modulus();
+    // The distance from the triangle's plane, times the length of its normal; without area there is
+    // none.
     const bool is_off =
         size > 0.0 && std::abs((on_surface(uv) - middle).Dot(normal)) > chord_ * size;
     for (int k = 0; k < 3; ++k) {
@@ -81,10 +88,12 @@ class FinerTriangles {
     const gp_XYZ along = points_[b] - points_[a];
     const double length = along.Modulus();
     const gp_XYZ off = on_surface(0.5 * (places_[a] + places_[b])) - points_[a];
+    // Likewise from the side's line.
     return length > chord_ && off.Crossed(along).Modulus() > chord_ * length;
   }
 
   int middle_of(int a, int b) {
+    // On the surface, not on the chord: so points are added where the face is.
     const auto [found, is_new] = middles_.try_emplace({a, b}, static_cast<int>(points_.size()));
     if (is_new) {
       places_.push_back(0.5 * (places_[a] + places_[b]));
@@ -100,10 +109,12 @@ class FinerTriangles {
     int count = 0;
     for (int k = 0; k < 3; ++k) {
       const auto found = middles_.find(side_of(t, k));
+      // The middle of the side from corner k to the next.
       m[k] = found == middles_.end() ? -1 : found->second;
       count += m[k] >= 0;
     }
     if (count == 3) {
+      // Four with the same turn: three at the corners, one of the middles.
       out.insert(out.end(),
                  {{t[0], m[0], m[2]}, {m[0], t[1], m[1]}, {m[2], m[1], t[2]}, {m[0], m[1], m[2]}});
       return;
@@ -138,6 +149,7 @@ class FinerTriangles {
 
 CadFace face_triangles(const TopoDS_Face& face, const Poly_Triangulation& mesh,
                        const TopLoc_Location& location, double chord) {
+  // Triangles lie as the surface has its normal; a face may be turned against that.
   return FinerTriangles(face, mesh, location, chord).face(face.Orientation() == TopAbs_REVERSED);
 }
 

@@ -24,6 +24,7 @@ std::string text_of(const Handle(TCollection_HAsciiString) & text) {
 }
 
 std::string unit_name(int flag) {
+  // The flags of the global section.
   static const std::map<int, std::string> kNames = {
       {1, "in"}, {2, "mm"}, {4, "ft"}, {6, "m"}, {10, "cm"}};
   const auto found = kNames.find(flag);
@@ -42,6 +43,7 @@ void find_layers_and_names(IGESControl_Reader& reader, CadContent& content) {
   const Handle(IGESData_IGESModel) model = reader.IGESModel();
   const Handle(Transfer_TransientProcess) process =
       reader.WS()->TransferReader()->TransientProcess();
+  // The entity with the name may come before or after the members.
   std::map<int, CadLayer> layers;  // by level
   for (int i = 1; i <= model->NbEntities(); ++i) {
     const Handle(IGESData_IGESEntity) entity = model->Entity(i);
@@ -54,11 +56,13 @@ void find_layers_and_names(IGESControl_Reader& reader, CadContent& content) {
     const TopoDS_Shape shape = TransferBRep::ShapeResult(process, entity);
     const std::string name = text_of(entity->NameValue());
     if (!shape.IsNull() && !name.empty()) content.names.push_back({name, shape});
+    // Level 0 is that of entities that are on none; lists of levels are left out.
     if (entity->DefLevel() != IGESData_DefOne || entity->Level() <= 0) continue;
     CadLayer& layer = layers[entity->Level()];
     if (!shape.IsNull()) layer.members.push_back({shape, colour_of(entity)});
   }
   for (auto& [level, layer] : layers) {
+    // Files of others seldom name their levels.
     if (layer.name.empty()) layer.name = std::to_string(level);
     content.layers.push_back(std::move(layer));
   }
@@ -79,6 +83,7 @@ CadContent read_iges(const std::string& path, const std::string& refusal,
   const IGESData_GlobalSection& header = reader.IGESModel()->GlobalSection();
   CadContent content;
   content.shape = reader.OneShape();
+  // 11 is the version flag of 5.3.
   content.format = header.IGESVersion() == 11 ? "IGES 5.3" : "IGES";
   content.unit = unit_name(header.UnitFlag());
   content.product = text_of(header.SendName());

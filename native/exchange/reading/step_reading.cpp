@@ -35,6 +35,7 @@ std::string unit_name(STEPControl_Reader& reader) {
   reader.FileUnits(lengths, angles, solid_angles);
   if (lengths.IsEmpty()) return "";
   const std::string name = lengths.First().ToCString();
+  // Units that are not SI have the name that the file gives them; Open CASCADE writes capitals.
   static const std::map<std::string, std::string> kNames = {
       {"metre", "m"}, {"centimetre", "cm"}, {"millimetre", "mm"}, {"FOOT", "ft"}, {"INCH", "in"}};
   const auto found = kNames.find(name);
@@ -45,6 +46,7 @@ std::string format_name(const Handle(StepData_StepModel) & model) {
   const APIHeaderSection_MakeHeader header(model);
   if (!header.HasFs() || header.NbSchemaIdentifiers() < 1) return "STEP";
   const std::string schema = header.SchemaIdentifiersValue(1)->ToCString();
+  // The name of AP214's schema.
   if (schema.starts_with("AUTOMOTIVE_DESIGN")) return "STEP AP214";
   return schema.starts_with("AP242") ? "STEP AP242" : "STEP";
 }
@@ -72,6 +74,7 @@ void find_names(STEPControl_Reader& reader, CadContent& content) {
       reader.WS()->TransferReader()->TransientProcess();
   for (int i = 1; i <= model->NbEntities(); ++i) {
     const auto item = Handle(StepRepr_RepresentationItem)::DownCast(model->Value(i));
+    // Most items of a file have no name.
     if (item.IsNull() || item->Name().IsNull() || item->Name()->IsEmpty()) continue;
     const TopoDS_Shape shape = STEPConstruct::FindShape(process, item);
     if (!shape.IsNull()) {

@@ -36,6 +36,7 @@ TopoDS_Shape cylinder_solid(const analysis::CylinderShape& c) {
   const gp_Ax2 axes(in_millimetres(c.start), direction_of(along));
   const double height = kMillimetresPerMetre * along.norm();
   const double r0 = kMillimetresPerMetre * c.start_radius, r1 = kMillimetresPerMetre * c.end_radius;
+  // A cone of no angle is refused by Open CASCADE.
   if (std::abs(r1 - r0) <= kSameRadius * r0) {
     return BRepPrimAPI_MakeCylinder(axes, r0, height).Solid();
   }
@@ -50,11 +51,14 @@ conversion::BSplineCurve spline_of(const Outline& outline, std::size_t first, st
   curve.degree = 3;
   curve.points.push_back(at(outline[first][0]));
   for (std::size_t i = first; i < last; ++i) {
+    // Where cubics meet with one derivative the joint is no control point: the double knot gives
+    // it.
     curve.points.push_back(at(outline[i][1]));
     curve.points.push_back(at(outline[i][2]));
   }
   curve.points.push_back(at(outline[last - 1][3]));
   for (std::size_t i = 0; i < knots.size(); ++i) {
+    // Once continuously differentiable, as the double knots of a cubic are.
     const int times = i == 0 || i + 1 == knots.size() ? 4 : 2;
     for (int k = 0; k < times; ++k) curve.knots.push_back(knots[i]);
   }
@@ -65,12 +69,14 @@ conversion::BSplineCurve spline_of(const Outline& outline, std::size_t first, st
 TopoDS_Face ruled_face(const conversion::BSplineCurve& from, const conversion::BSplineCurve& to) {
   conversion::BSplinePatch patch;
   patch.degree_u = from.degree;
+  // u along the curves, v along the rulings.
   patch.knots_u = from.knots;
   patch.count_u = static_cast<int>(from.points.size());
   patch.degree_v = 1;
   patch.knots_v = {0.0, 0.0, 1.0, 1.0};
   patch.count_v = 2;
   for (int i = 0; i < patch.count_u; ++i) {
+    // v runs fastest, as in every patch.
     patch.control_points.push_back(from.points[i]);
     patch.control_points.push_back(to.points[i]);
   }
@@ -84,7 +90,9 @@ conversion::BSplineCurve line_of(const Vector3d& a, const Vector3d& b) {
 TopoDS_Face plane_face(const std::vector<conversion::BSplineCurve>& border) {
   BRepBuilderAPI_MakeWire wire;
   for (const conversion::BSplineCurve& curve : border) {
+    // A sharp trailing edge has no line to close.
     if ((curve.points.front() - curve.points.back()).norm() == 0.0 && curve.degree == 1) continue;
+    // Edges of its own: sewing joins them to those of the sides.
     wire.Add(BRepBuilderAPI_MakeEdge(make_curve(curve)).Edge());
   }
   return BRepBuilderAPI_MakeFace(wire.Wire(), true).Face();
@@ -97,6 +105,8 @@ std::vector<double> backwards(const std::vector<double>& knots) {
 }
 
 TopoDS_Shape sewn_solid(BRepBuilderAPI_Sewing& sewing) {
+  // Sewing makes one edge of those that two faces have in common; faces that find no neighbour do
+  // not come out as one shell.
   sewing.Perform();
   if (sewing.SewedShape().IsNull() || sewing.SewedShape().ShapeType() != TopAbs_SHELL) {
     throw std::invalid_argument("The section's outline and its ends do not make a solid.");
@@ -111,10 +121,12 @@ struct Quarter {
 
   explicit Quarter(int number) {
     const double step = 0.5 * std::numbers::pi / kQuarterParts;
+    // The handles of the cubic that meets an arc of this angle in its ends and middle.
     const double reach = 4.0 / 3.0 * std::tan(step / 4.0);
     for (int i = 0; i <= kQuarterParts; ++i) {
       const double angle = (number - 0.5) * 0.5 * std::numbers::pi + i * step;
       const Eigen::Vector2d at(std::cos(angle), std::sin(angle)), onward(-at.y(), at.x());
+      // Joints within are left out, as in spline_of().
       if (i > 0) points.push_back(at - reach * onward);
       if (i == 0 || i == kQuarterParts) points.push_back(at);
       if (i < kQuarterParts) points.push_back(at + reach * onward);
@@ -126,8 +138,11 @@ struct Quarter {
 
 TopoDS_Shape foil_solid(const analysis::FoilShape& foil) {
   const analysis::SectionForm form(foil.section);
+  // Knots run from the leading edge to the trailing one, as the lower side does; the upper side
+  // comes back.
   const std::vector<double> down = form.knots(), up = backwards(down);
   const Vector3d along = foil.chord_direction.normalized();
+  // Square to the chord, whatever was given.
   const Vector3d across =
       (foil.thickness_direction - foil.thickness_direction.dot(along) * along).normalized();
   struct End {
@@ -139,6 +154,7 @@ TopoDS_Shape foil_solid(const analysis::FoilShape& foil) {
     const auto at = [&](const Eigen::Vector2d& p) -> Vector3d {
       return origin + chord * (p.x() * along + p.y() * across);
     };
+    // The nose, where the sides meet.
     const std::size_t half = outline.size() / 2;
     return End{spline_of(outline, 0, half, up, at),
                spline_of(outline, half, outline.size(), down, at),
@@ -164,6 +180,7 @@ TopoDS_Shape bulb_solid(const analysis::BulbShape& bulb) {
   const Vector3d way = bulb.tail - bulb.nose, along = way.normalized();
   const double length = way.norm();
   const Vector3d level = along.cross(Vector3d::UnitZ());
+  // An upright body has no level direction of its own.
   const Vector3d first = level.norm() > kSameRadius ? level.normalized() : along.unitOrthogonal();
   const Vector3d second = along.cross(first);
   const Outline outline = analysis::outline_of(form, bulb.diameter / length, true);
@@ -191,6 +208,7 @@ TopoDS_Shape bulb_solid(const analysis::BulbShape& bulb) {
         patch.control_points.push_back(at(p.head<2>(), around));
       }
     }
+    // At the nose a whole side of the patch is one point, which sewing makes a degenerated edge.
     sewing.Add(BRepBuilderAPI_MakeFace(make_surface(patch), kSewing).Face());
     if (!is_blunt) continue;
     conversion::BSplineCurve edge{3, arc.knots, {}};
@@ -206,6 +224,7 @@ TopoDS_Shape bulb_solid(const analysis::BulbShape& bulb) {
 }  // namespace
 
 TopoDS_Shape solid_of(const analysis::AppendageShape& shape) {
+  // For what it refuses alone.
   analysis::shell_of(shape);
   TopoDS_Shape made;
   if (const auto* cylinder = std::get_if<analysis::CylinderShape>(&shape)) {
@@ -215,7 +234,9 @@ TopoDS_Shape solid_of(const analysis::AppendageShape& shape) {
   } else {
     made = bulb_solid(std::get<analysis::BulbShape>(shape));
   }
+  // All three are made as solids, by whatever way.
   TopoDS_Solid solid = TopoDS::Solid(made);
+  // Sewn faces may all point inwards.
   BRepLib::OrientClosedSolid(solid);
   return solid;
 }

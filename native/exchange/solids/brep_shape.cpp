@@ -60,6 +60,7 @@ class ShapeMaker {
         edges_(set.edge_count + closing.edges.size()),
         first_(edges_.size(), -1),
         faces_of_(edges_.size(), 0) {
+    // The ends of a side of no length are one vertex.
     for (int v = 0; v < set.vertex_count; ++v) vertex_groups_.join(v, uses_.vertex(v));
     for (const conversion::CapEdge& edge : closing.edges) {
       // It is left out of the wires, whose other edges then have to meet in one vertex.
@@ -78,6 +79,7 @@ class ShapeMaker {
       result.faces.push_back(cap.patch ? make_ruled_face(cap) : make_plane_face(cap));
     }
     for (std::size_t e = 0; e < edges_.size(); ++e) {
+      // Without an object are edges that no face uses, and those of no length.
       if (edges_[e].edge.IsNull() || faces_of_[e] != 1) continue;
       ++result.free_edges;
       result.at_free_edge = middle_of(edges_[e].edge);
@@ -103,6 +105,7 @@ class ShapeMaker {
       }
       builder_.Add(compound, result.shape);
     }
+    // A single part is no compound, so that readers find a solid.
     if (shells.size() > 1) result.shape = compound;
     return result;
   }
@@ -135,9 +138,12 @@ class ShapeMaker {
   // The edge as an object, made from the curve where it is first met. One face more has it.
   MadeEdge& made(int number, const conversion::BSplineCurve& curve, int from, int to) {
     MadeEdge& result = edges_[number];
+    // The second face takes the curve of the first: what little they differ by is within the
+    // tolerance.
     if (result.edge.IsNull()) {
       builder_.MakeEdge(result.edge, make_curve(curve), kTolerance);
       add_ends(result.edge, vertex(from, curve.points.front()), vertex(to, curve.points.back()));
+      // Also of its lines in (u, v), which have the curve's parameter.
       builder_.Range(result.edge, 0.0, kParameterRange);
     }
     ++faces_of_[number];
@@ -171,6 +177,7 @@ class ShapeMaker {
         builder_.Add(wire, side_edge(p, k, part, face));
       }
     }
+    // The builder does not find that out itself.
     wire.Closed(true);
     builder_.Add(face, wire);
     return face;
@@ -185,6 +192,8 @@ class ShapeMaker {
     }
     const bool first = edges_[part.edge].edge.IsNull();
     MadeEdge& edge = made(part.edge, set_.curve(p, k, part), part.from, part.to);
+    // Neighbours run along their edge in opposite directions: the second one's line is turned, to
+    // go as the curve does.
     const Handle(Geom2d_BSplineCurve) line = make_curve(side_line(k, part, !first));
     if (first) {
       edge.side = line;
@@ -202,6 +211,7 @@ class ShapeMaker {
   TopoDS_Edge degenerated_edge(const Handle(Geom2d_BSplineCurve) & side,
                                const TopoDS_Vertex& vertex, const TopoDS_Face& face) {
     TopoDS_Edge edge;
+    // Without a curve in space: its line in (u, v) alone closes the wire there.
     builder_.MakeEdge(edge);
     builder_.UpdateEdge(edge, side, face, kTolerance);
     add_ends(edge, vertex, vertex);
@@ -280,6 +290,7 @@ class ShapeMaker {
   // Where a side of no length is, 0 or 2: at the begin or end of side 1.
   TopoDS_Vertex vertex_at(const conversion::Cap& cap, int side) {
     const conversion::DirectedEdge border = cap.loops[1].front();
+    // Side 1 leads from side 0 to side 2.
     const bool at_begin = (side == 0) != border.reversed;
     const TopAbs_Orientation wanted = at_begin ? TopAbs_FORWARD : TopAbs_REVERSED;
     for (TopoDS_Iterator end(edges_[border.edge].edge); end.More(); end.Next()) {

@@ -23,6 +23,8 @@ namespace hull::exchange {
 namespace {
 
 constexpr double kFaceTolerance = 1e-8;
+// Eight nodes integrate polynomials up to degree 15 exactly; (p - origin) x dp of a spline of
+// degree d has 2 d - 1.
 constexpr int kNodes = 8, kParts = 8;
 
 bool covers_whole_surface(const TopoDS_Face& face, const Geom_Surface& surface) {
@@ -38,6 +40,8 @@ bool covers_whole_surface(const TopoDS_Face& face, const Geom_Surface& surface) 
     const Handle(Geom2d_Curve) line =
         BRep_Tool::CurveOnSurface(TopoDS::Edge(edge.Current()), face, begin, end);
     if (line.IsNull()) return false;
+    // The ends alone would not tell a border's line from one across the surface, from border to
+    // border.
     for (double share : {0.0, 0.37, 1.0}) {
       if (!is_on_border(line->Value(begin + share * (end - begin)))) return false;
     }
@@ -48,6 +52,7 @@ bool covers_whole_surface(const TopoDS_Face& face, const Geom_Surface& surface) 
 std::optional<conversion::SurfaceIntegrals> of_whole_patch(const TopoDS_Face& face) {
   TopLoc_Location location;
   const auto surface = Handle(Geom_BSplineSurface)::DownCast(BRep_Tool::Surface(face, location));
+  // What a BSplinePatch can't hold.
   if (surface.IsNull() || !location.IsIdentity() || surface->IsURational() ||
       surface->IsVRational() || surface->IsUPeriodic() || surface->IsVPeriodic() ||
       !covers_whole_surface(face, *surface)) {
@@ -61,9 +66,11 @@ std::optional<conversion::SurfaceIntegrals> of_whole_patch(const TopoDS_Face& fa
 Vector3d area_along(const TopoDS_Edge& edge, const Vector3d& origin) {
   static const analysis::GaussRule rule = analysis::gauss_rule(kNodes);
   const BRepAdaptor_Curve curve(edge);
+  // Within these the curve is smooth without end, as Gauss' rule needs it.
   const int count = curve.NbIntervals(GeomAbs_CN);
   TColStd_Array1OfReal knots(1, count + 1);
   curve.Intervals(knots, GeomAbs_CN);
+  // What is no polynomial, as an arc, is made short enough for the rule.
   const int parts = curve.GetType() == GeomAbs_BSplineCurve ? 1 : kParts;
   Vector3d sum = Vector3d::Zero();
   for (int i = 0; i < count * parts; ++i) {
@@ -86,12 +93,15 @@ std::optional<conversion::SurfaceIntegrals> of_plane(const TopoDS_Face& face) {
   if (plane.IsNull()) return std::nullopt;
   const Vector3d origin = in_metres(plane->Location());
   const gp_Ax3 axes = plane->Position();
+  // Not the axis itself, which of a left-handed plane points the other way.
   const gp_Vec up = gp_Vec(axes.XDirection()).Crossed(gp_Vec(axes.YDirection()));
   const Vector3d normal(up.X(), up.Y(), up.Z());
   double area = 0.0;
   for (TopExp_Explorer edge(face, TopAbs_EDGE); edge.More(); edge.Next()) {
     area += area_along(TopoDS::Edge(edge.Current()), origin).dot(normal);
   }
+  // The divergence theorem, with p / 3 as the field: over a plane p times its normal is the same
+  // everywhere.
   return conversion::SurfaceIntegrals{area, area * origin.dot(normal) / 3.0};
 }
 
@@ -107,10 +117,12 @@ conversion::SurfaceIntegrals by_open_cascade(const TopoDS_Face& face) {
 
 conversion::SurfaceIntegrals integrals_of_face(const TopoDS_Face& face) {
   const TopoDS_Face forward = TopoDS::Face(face.Oriented(TopAbs_FORWARD));
+  // From the most exact to what always answers.
   std::optional<conversion::SurfaceIntegrals> found = of_whole_patch(forward);
   if (!found) found = of_plane(forward);
   if (!found) found = of_trimmed_face(forward);
   if (!found) found = by_open_cascade(forward);
+  // An area has no side, a volume has.
   if (face.Orientation() == TopAbs_REVERSED) found->volume = -found->volume;
   return *found;
 }

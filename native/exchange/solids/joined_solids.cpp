@@ -42,8 +42,10 @@ TopoDS_Shape mirror_image(const TopoDS_Shape& shape) {
 FaceNames names_after(BRepAlgoAPI_BooleanOperation& operation, const FaceNames& before) {
   FaceNames after;
   for (FaceNames::Iterator it(before); it.More(); it.Next()) {
+    // Faces wholly within the other body are gone.
     if (operation.IsDeleted(it.Key())) continue;
     const TopTools_ListOfShape& parts = operation.Modified(it.Key());
+    // Not touched by the operation: it is the same face still.
     if (parts.IsEmpty()) after.Bind(it.Key(), it.Value());
     for (const TopoDS_Shape& part : parts) after.Bind(part, it.Value());
   }
@@ -55,6 +57,7 @@ void run(BRepAlgoAPI_BooleanOperation& operation, const TopTools_ListOfShape& ar
          const surface::Progress& progress) {
   operation.SetArguments(arguments);
   operation.SetTools(tools);
+  // Else tolerances of the arguments' own edges would grow, of the caller's hull too.
   operation.SetNonDestructive(true);
   Handle(OcctProgress) told = new OcctProgress(progress, 0.0, 1.0);
   operation.Build(told->Start());
@@ -75,6 +78,7 @@ void join_appendages(BRepShape& hull, std::vector<std::string>& regions,
         "appendages can be joined to a closed solid only: write the hull as a solid");
   }
   FaceNames names;
+  // By shape, without orientation: the operations tell by the shape what becomes of a face.
   for (std::size_t f = 0; f < hull.faces.size(); ++f) names.Bind(hull.faces[f], regions[f]);
   TopTools_ListOfShape added, cut;
   std::string added_names, cut_names;
@@ -100,6 +104,7 @@ void join_appendages(BRepShape& hull, std::vector<std::string>& regions,
     current.Clear();
     current.Append(fuse.Shape());
   }
+  // Last, so that a tunnel goes through what was joined as well.
   if (!cut.IsEmpty()) {
     BRepAlgoAPI_Cut cutting;
     run(cutting, current, cut, cut_names, surface::part_of(progress, 0.5, 1.0));
@@ -116,6 +121,7 @@ void join_appendages(BRepShape& hull, std::vector<std::string>& regions,
   for (TopExp_Explorer solid(current.First(), TopAbs_SOLID); solid.More(); solid.Next()) {
     builder.Add(compound, solid.Current());
     ++hull.solids;
+    // Of a single solid that is the shape; of several the compound takes its place below.
     hull.shape = solid.Current();
     for (TopExp_Explorer face(solid.Current(), TopAbs_FACE); face.More(); face.Next()) {
       hull.faces.push_back(TopoDS::Face(face.Current()));
@@ -128,6 +134,7 @@ void join_appendages(BRepShape& hull, std::vector<std::string>& regions,
   }
   if (hull.solids > 1) hull.shape = compound;
   hull.parts = hull.solids;
+  // An operation may end without errors, and with a result that is not valid.
   if (BRepCheck_Analyzer(hull.shape).IsValid()) return;
   throw std::invalid_argument(
       "the solid of the hull and its appendages is not valid: let their surfaces cross at an "

@@ -22,6 +22,7 @@ TopoDS_Solid solid_of(const std::vector<TopoDS_Shape>& faces) {
   TopoDS_Shell shell;
   builder.MakeShell(shell);
   for (const TopoDS_Shape& face : faces) builder.Add(shell, face);
+  // All the faces of a closed shell, in another order only.
   shell.Closed(true);
   TopoDS_Solid solid;
   builder.MakeSolid(solid);
@@ -37,8 +38,10 @@ TopoDS_Shape with_telling_first_face(const TopoDS_Shape& solid) {
   for (std::size_t i = 0; i < faces.size(); ++i) {
     const TopoDS_Solid turned = solid_of(faces);
     BRepClass3d_SolidClassifier classifier(turned);
+    // As the readers do: a point at infinity has to be outside.
     classifier.PerformInfinitePoint(kReadersTolerance);
     if (classifier.State() == TopAbs_OUT) return turned;
+    // The next one first.
     std::rotate(faces.begin(), faces.begin() + 1, faces.end());
   }
   return solid;
@@ -48,6 +51,7 @@ TopoDS_Shape with_telling_first_face(const TopoDS_Shape& solid) {
 
 TopoDS_Shape with_telling_first_faces(const TopoDS_Shape& shape) {
   if (shape.ShapeType() == TopAbs_SOLID) return with_telling_first_face(shape);
+  // Shells alone are not taken for solids by readers.
   if (shape.ShapeType() != TopAbs_COMPOUND) return shape;
   const BRep_Builder builder;
   TopoDS_Compound compound;

@@ -45,6 +45,7 @@ std::vector<double> spans(int count, const Adaptor& fill) {
   TColStd_Array1OfReal places(1, count + 1);
   fill(places);
   std::vector<double> found(places.begin(), places.end());
+  // Few spans, as the one of a cylinder, are divided until there are about eight.
   const int parts = std::max(1, (kLeastPieces + count - 1) / count);
   std::vector<double> finer{found.front()};
   for (std::size_t i = 0; i + 1 < found.size(); ++i) {
@@ -65,6 +66,7 @@ struct BorderLine {
 class TrimmedFace {
  public:
   explicit TrimmedFace(const TopoDS_Face& face) : face_(face), surface_(face, Standard_True) {
+    // Smooth without end within, as Gauss' rule needs it.
     us_ = spans(surface_.NbUIntervals(GeomAbs_CN),
                 [&](TColStd_Array1OfReal& at) { surface_.UIntervals(at, GeomAbs_CN); });
     vs_ = spans(surface_.NbVIntervals(GeomAbs_CN),
@@ -90,11 +92,14 @@ class TrimmedFace {
     for (const auto& [border, places] : borders) {
       for (std::size_t i = 0; i + 1 < places.size(); ++i) {
         first.push_back(along(border, places[i], places[i + 1]));
+        // By size, so that parts which cancel one another do not make the whole small, and the
+        // tolerance with it.
         whole.area += std::abs(first.back().area);
         whole.volume += std::abs(first.back().volume);
       }
     }
     if (!(whole.area > 0.0)) return conversion::SurfaceIntegrals{};
+    // It is divided by, and may be nothing, as of a plane through the origin.
     whole.volume = std::max(whole.volume, 1e-12 * std::pow(whole.area, 1.5));
     Integrals sum;
     std::size_t next = 0;
@@ -116,6 +121,7 @@ class TrimmedFace {
     TColStd_Array1OfReal own(1, border.curve.NbIntervals(GeomAbs_CN) + 1);
     border.curve.Intervals(own, GeomAbs_CN);
     std::vector<double> places(own.begin(), own.end());
+    // What is added below is not to be gone through.
     const std::size_t count = places.size();
     for (std::size_t i = 0; i + 1 < count; ++i) {
       const double step = (places[i + 1] - places[i]) / kSamples;
@@ -129,6 +135,7 @@ class TrimmedFace {
     const double least = 1e-12 * std::abs(border.end - border.begin);
     std::vector<double> apart;
     for (double place : places) {
+      // Corners of spans are crossed in both directions, at one place but for rounding.
       if (apart.empty() || place - apart.back() > least) apart.push_back(place);
     }
     return apart;
@@ -142,9 +149,12 @@ class TrimmedFace {
   static void add_crossings(const BorderLine& border, double from, double to, int axis,
                             const std::vector<double>& spans, std::vector<double>& places) {
     const double a = coordinate(border, from, axis), b = coordinate(border, to, axis);
+    // A line that crosses a span and comes back within a sample is missed: then only the halving
+    // takes longer.
     const auto low = std::ranges::upper_bound(spans, std::min(a, b));
     for (auto at = low; at != spans.end() && *at < std::max(a, b); ++at) {
       double below = from, above = to;
+      // To the last bit of a double.
       for (int k = 0; k < 60; ++k) {
         const double middle = 0.5 * (below + above);
         const bool is_before = (coordinate(border, middle, axis) < *at) == (a < b);
@@ -159,6 +169,7 @@ class TrimmedFace {
     gp_Vec du, dv;
     surface_.D1(u, v, p, du, dv);
     const gp_Vec normal = du.Crossed(dv);
+    // The divergence theorem, with p / 3 as the field.
     return {normal.Magnitude(), gp_Vec(p.XYZ()).Dot(normal) / 3.0};
   }
 
@@ -170,6 +181,8 @@ class TrimmedFace {
     Integrals sum;
     for (std::size_t i = 0; i + 1 < places.size(); ++i) {
       const bool is_last = i + 2 == places.size();
+      // The first span and the last one go on beyond the surface's range, where borders may lie by
+      // rounding.
       if (places[i] >= end && i > 0) break;
       const double stop = is_last ? end : std::min(end, places[i + 1]), width = stop - places[i];
       for (int k = 0; k < kInner; ++k) {
@@ -188,6 +201,8 @@ class TrimmedFace {
       gp_Vec2d slope;
       border.curve.D1(from + (to - from) * rule.nodes[k], p, slope);
       const double step = along_ == 0 ? slope.Y() : slope.X();
+      // Along the inner direction nothing is swept, and the inner integral, which costs the most,
+      // is spared.
       if (step != 0.0) sum.add(inner(p), (to - from) * rule.weights[k] * step);
     }
     return sum;
@@ -195,11 +210,13 @@ class TrimmedFace {
 
   Integrals refined(const BorderLine& border, double from, double to, const Integrals& known,
                     const Integrals& whole, int depth) const {
+    // A line along the inner direction: halving finds nothing either.
     if (known.area == 0.0 && known.volume == 0.0) return known;
     const double middle = 0.5 * (from + to);
     Integrals low = along(border, from, middle), high = along(border, middle, to);
     Integrals sum = low;
     sum.add(high, 1.0);
+    // Compared as a part of the whole face: small pieces need not be exact in themselves.
     if (depth >= kMostHalvings || !(sum.difference(known, whole) > kSmall)) return sum;
     Integrals better = refined(border, from, middle, low, whole, depth + 1);
     return better.add(refined(border, middle, to, high, whole, depth + 1), 1.0);

@@ -15,6 +15,7 @@ constexpr std::string_view kPoint = "=CARTESIAN_POINT(", kDigits = "0123456789";
 std::size_t end_of_statement(std::string_view text, std::size_t begin) {
   bool in_string = false;
   for (std::size_t at = begin; at < text.size(); ++at) {
+    // Semicolons in strings end nothing.
     if (text[at] == '\'') in_string = !in_string;
     if (text[at] != ';' || in_string) continue;
     return std::min(text.find_first_not_of('\n', at + 1), text.size());
@@ -33,10 +34,12 @@ class PointSharer {
   explicit PointSharer(std::string_view text) : text_(text) {}
 
   std::string make() {
+    // Twice over the text: a point may be referred to before it stands there.
     for_each_statement([this](std::string_view statement) { find_point(statement); });
     std::string result;
     result.reserve(text_.size());
     for_each_statement([&](std::string_view statement) {
+      // The header's statements have no numbers.
       const bool is_left_out = statement.starts_with('#') && is_point(statement) &&
                                first_.contains(number_at(statement, 1));
       if (!is_left_out) put(statement, result);
@@ -65,6 +68,7 @@ class PointSharer {
     std::string value(statement.substr(1 + number.size()));
     std::erase(value, '\n');
     const auto [known, is_new] = points_.try_emplace(std::move(value), number);
+    // The lowest number stays, as statements come in order.
     if (!is_new) first_.emplace(number, known->second);
   }
 
@@ -75,6 +79,7 @@ class PointSharer {
       result += statement.substr(at, next - at);
       at = next;
       if (at == statement.size()) break;
+      // A '#' within a string is no reference.
       in_string ^= statement[at] == '\'';
       result += statement[at++];
       if (statement[at - 1] != '#' || in_string) continue;

@@ -43,7 +43,9 @@ class Shortener {
   std::string_view string_literal() const {
     std::size_t end = at_;
     do {
+      // A string that does not end goes on to the text's end.
       end = std::min(text_.find('\'', end + 1), text_.size() - 1) + 1;
+      // Another quote at once is the second of a doubled one.
     } while (end < text_.size() && text_[end] == '\'');
     return text_.substr(at_, end - at_);
   }
@@ -52,9 +54,11 @@ class Shortener {
     const std::string_view token =
         text_.substr(at_, std::min(text_.find_first_of(kEndsToken, at_), text_.size()) - at_);
     double value = 0.0;
+    // Whole numbers stay whole: STEP tells integers from reals by the point.
     const bool is_number =
         is_one_of('.', token) && token.find_first_not_of(kOfNumbers) == token.npos;
     const char* end = token.data() + token.size();
+    // Enumerations like .E. have a point and these letters too, but do not read as numbers.
     if (is_number && std::from_chars(token.data(), end, value).ptr == end) {
       put(number(value), token.size());
     } else {
@@ -65,10 +69,12 @@ class Shortener {
   // STEP wants a point in every real number, and a capital E.
   std::string_view number(double value) {
     char* const begin = digits_.data();
+    // The shortest digits that read as the same double.
     char* end = std::to_chars(begin, begin + digits_.size() - 1, value).ptr;
     char* const exponent = std::find(begin, end, 'e');
     if (exponent != end) *exponent = 'E';
     if (std::find(begin, end, '.') == end) {
+      // The point goes before the exponent, or to the end: 1E+20 becomes 1.E+20.
       std::copy_backward(exponent, end, end + 1);
       *exponent = '.';
       ++end;
@@ -78,6 +84,7 @@ class Shortener {
 
   void put(std::string_view token) { put(token, token.size()); }
   void put(std::string_view token, std::size_t taken) {
+    // Between tokens only, and never an empty line before a long one.
     if (result_.size() + token.size() > line_ + kLongestLine && result_.size() > line_) end_line();
     result_ += token;
     at_ += taken;

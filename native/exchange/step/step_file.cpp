@@ -55,6 +55,7 @@ class StepText {
     add_curves();
     set_names();
     surface::tell(progress_, 0.6, 1.0);
+    // Points are compared last: as text, without spaces, and with their names in it.
     return with_shared_points(short_step(texts_.filled(printed())));
   }
 
@@ -79,6 +80,7 @@ class StepText {
     std::map<std::string, std::vector<Item>> regions;
     StepColours colours;
     for (std::size_t f = 0; f < model_.brep.faces.size(); ++f) {
+      // The entity that the transfer made of this very face object.
       const Item item = item_of(model_.brep.faces[f]);
       if (item.IsNull()) continue;  // the file read back will show it
       const std::string& region = model_.regions[f];
@@ -97,6 +99,7 @@ class StepText {
     for (const CadCurve& curve : model_.curves) {
       const TopoDS_Edge edge = BRepBuilderAPI_MakeEdge(make_curve(curve.curve)).Edge();
       transfer(edge, STEPControl_GeometricCurveSet, 0.5, 0.5);
+      // In the order of transfers, as set_names() counts on.
       products_.push_back(curve.name);
       const Item item = item_of(edge);
       if (item.IsNull()) continue;  // the file read back will show it
@@ -119,6 +122,7 @@ class StepText {
     for (int i = 1; i <= writer_.Model()->NbEntities(); ++i) {
       const auto product = Handle(StepBasic_Product)::DownCast(writer_.Model()->Value(i));
       if (product.IsNull()) continue;
+      // The hull's own product comes first.
       const std::string& name =
           next == 0 || next > products_.size() ? options_.name : products_[next - 1];
       ++next;

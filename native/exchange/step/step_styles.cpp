@@ -97,11 +97,13 @@ Handle(Standard_Transient) StepColours::style_of(const analysis::Colour& colour)
   Handle(StepVisual_SurfaceStyleFillArea) filled = new StepVisual_SurfaceStyleFillArea;
   filled->Init(area);
   Handle(StepVisual_SurfaceSideStyle) side = new StepVisual_SurfaceSideStyle;
+  // The nesting is the schema's: a style of usage, of a side, of a filled area, of a colour.
   side->Init(
       no_text(),
       only<StepVisual_HArray1OfSurfaceStyleElementSelect, StepVisual_SurfaceStyleElementSelect>(
           filled));
   Handle(StepVisual_SurfaceStyleUsage) usage = new StepVisual_SurfaceStyleUsage;
+  // Seen from both sides in the same colour.
   usage->Init(StepVisual_ssBoth, side);
   Handle(StepVisual_PresentationStyleAssignment) style = new StepVisual_PresentationStyleAssignment;
   style->Init(
@@ -116,6 +118,7 @@ void StepColours::add(const Handle(StepRepr_RepresentationItem) & item,
       new StepVisual_HArray1OfPresentationStyleAssignment(1, 1);
   styles->SetValue(1, Handle(StepVisual_PresentationStyleAssignment)::DownCast(style_of(colour)));
   Handle(StepVisual_StyledItem) styled = new StepVisual_StyledItem;
+  // Styles are shared by all items of a colour, which keeps files short.
   styled->Init(new TCollection_HAsciiString("color"), styles, item);
   styled_.push_back(styled);
 }
@@ -123,6 +126,7 @@ void StepColours::add(const Handle(StepRepr_RepresentationItem) & item,
 void StepColours::put_into(const Handle(StepData_StepModel) & model) const {
   if (styled_.empty()) return;
   Handle(StepRepr_RepresentationContext) context;
+  // The context of the shape itself, with its units: readers look for colours in the same one.
   for (int i = 1; i <= model->NbEntities() && context.IsNull(); ++i) {
     const auto shape = Handle(StepShape_ShapeRepresentation)::DownCast(model->Value(i));
     if (!shape.IsNull()) context = shape->ContextOfItems();
@@ -135,6 +139,7 @@ void StepColours::put_into(const Handle(StepData_StepModel) & model) const {
   Handle(StepVisual_MechanicalDesignGeometricPresentationRepresentation) all =
       new StepVisual_MechanicalDesignGeometricPresentationRepresentation;
   all->Init(no_text(), items, context);
+  // With all that it refers to: styled items, styles, colours.
   model->AddWithRefs(all);
 }
 
@@ -159,9 +164,11 @@ std::map<Standard_Transient*, analysis::Colour> step_colours(const Handle(StepDa
   std::map<Standard_Transient*, analysis::Colour> colours;
   for (int i = 1; i <= model->NbEntities(); ++i) {
     const auto styled = Handle(StepVisual_StyledItem)::DownCast(model->Value(i));
+    // Files of others may leave out what the schema asks for.
     if (styled.IsNull() || styled->Styles().IsNull() || styled->Item().IsNull()) continue;
     for (int k = 1; k <= styled->NbStyles(); ++k) {
       if (styled->StylesValue(k).IsNull()) continue;
+      // Keyed by the entity: items are found again by it when shapes are.
       if (const auto colour = surface_colour(styled->StylesValue(k))) {
         colours[styled->Item().get()] = *colour;
       }

@@ -13,6 +13,8 @@ constexpr char32_t kBad = 0xFFFFFFFF;
 // Takes one character off the front of `text`; kBad for a byte that begins none.
 char32_t take_character(std::string_view& text) {
   const auto lead = static_cast<std::uint8_t>(text.front());
+  // The first byte tells the length. 0xC0, 0xC1 and what is above 0xF4 begin nothing, nor do
+  // 10xxxxxx, which go on.
   const size_t length = lead < 0x80 ? 1 : lead >= 0xF0 ? 4 : lead >= 0xE0 ? 3 : 2;
   char32_t code = length == 1 ? lead : lead & (0x7F >> length);
   bool good = (lead < 0x80 || lead >= 0xC2) && lead < 0xF5 && text.size() >= length;
@@ -21,7 +23,9 @@ char32_t take_character(std::string_view& text) {
     good = (next & 0xC0) == 0x80;
     code = code << 6 | (next & 0x3F);
   }
+  // Written with more bytes than it needs, a character is none.
   const bool overlong = (length == 3 && code < 0x800) || (length == 4 && code < 0x10000);
+  // Nor are surrogates, halves of UTF-16's pairs.
   good = good && !overlong && code <= 0x10FFFF && (code < 0xD800 || code > 0xDFFF);
   text.remove_prefix(good ? length : 1);
   return good ? code : kBad;
@@ -79,6 +83,7 @@ std::string decode_step_string(std::string_view text) {
   std::string utf8;
   while (!text.empty()) {
     const bool wide = text.starts_with("\\X4\\");
+    // A directive may hold several characters, one after the other.
     const size_t digits = wide ? 8 : 4, end = text.find("\\X0\\");
     if ((wide || text.starts_with("\\X2\\")) && end != text.npos && (end - 4) % digits == 0) {
       for (size_t i = 4; i < end; i += digits) {

@@ -17,6 +17,7 @@ constexpr std::size_t kPrefixLength = sizeof kPrefix - 1, kNumberLength = 6;
 Handle(TCollection_HAsciiString) TextHolders::holder(const std::string& utf8) {
   char name[40];
   std::snprintf(name, sizeof name, "%s%06d", kPrefix, static_cast<int>(texts_.size()) % 1000000);
+  // Encoded already: filled() puts it into the text as it is.
   texts_.push_back(encode_step_string(utf8));
   return new TCollection_HAsciiString(name);
 }
