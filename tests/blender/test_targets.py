@@ -235,6 +235,11 @@ def test_the_wave_resistance_is_lowered_and_told():
     assert found.present(row, hull, bpy.context.scene) is None
     found.take_present(row, hull, bpy.context.scene)
     assert row.value == pytest.approx(0.95 * before, rel=1e-5)
+    hull.hull.draft *= 0.9
+    assert found.present(row, hull, bpy.context.scene) is None
+    found.take_present(row, hull, bpy.context.scene)
+    assert row.value != pytest.approx(0.95 * before, rel=1e-2)
+    assert found.present(row, hull, bpy.context.scene) == pytest.approx(row.value, rel=1e-6)
     row.speed_kn = 0.5  # too slow for the integral
     with pytest.raises(RuntimeError, match="no speed for Michell's integral"):
         bpy.ops.hull.solve_targets()

@@ -33,7 +33,7 @@ def present(row, obj, scene):
         return None
     quantity = quantities.quantity_of(row)
     if quantity.identifier == quantities.WAVES:
-        return wave_resistance.known(row, state)
+        return wave_resistance.known(row, obj, state, scene)
     if quantity.identifier == quantities.GM:
         return values.kmt - kg_of(obj, units.metres_per_unit(scene))
     return getattr(values, _NAMES.get(quantity.number, quantity.number.replace(".", "_")), None)

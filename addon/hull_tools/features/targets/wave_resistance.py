@@ -25,12 +25,15 @@ def speed_of(row):
     )
 
 
-def known(row, state):
+def known(row, obj, state, scene):
     """The wave resistance at a row's speed, kN, of a hull with its HullState, if it was computed of
-    the hull as it is; else None."""
+    the hull as it is and lies; else None."""
     of_hull = state.of(KnownWaves)
-    is_current = of_hull.key is not None and of_hull.key[0] == state.ship.geometry_key
-    return of_hull.values.get(speed_of(row)) if is_current else None
+    try:
+        is_current = of_hull.key == _key(state, _where(obj, scene))
+        return of_hull.values.get(speed_of(row)) if is_current else None
+    except ValueError:  # it lies as no ship can
+        return None
 
 
 def compute(row, obj, scene):
@@ -39,9 +42,9 @@ def compute(row, obj, scene):
     if state is None or state.status or state.ship.surface is None:
         return
     try:
-        where = afloat.afloat(obj.hull, units.metres_per_unit(scene))
+        where = _where(obj, scene)
         position = where.position()
-        key = (state.ship.geometry_key, where)
+        key = _key(state, where)
         of_hull = state.of(KnownWaves)
         if of_hull.key != key:
             of_hull.key, of_hull.values = key, {}
@@ -54,3 +57,11 @@ def compute(row, obj, scene):
             of_hull.values[speed] = integral.resistance([speed])[0].resistance
     except ValueError:
         return  # solving says why
+
+
+def _where(obj, scene):
+    return afloat.afloat(obj.hull, units.metres_per_unit(scene))
+
+
+def _key(state, where):
+    return state.ship.geometry_key, where
