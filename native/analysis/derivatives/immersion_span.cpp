@@ -60,7 +60,7 @@ class SpanIntegrator {
   }
 
   void add_node(const SpanNode& at, double weight) {
-    // Hadamard's formula with f = 1, x, y and z.
+    // Hadamard: the flux of f through what moves, for f = 1, x, y and z.
     const Vector3d n = weight * at.normal, arm = at.point - frame_.buoyancy;
     Eigen::Matrix<double, 1, 12> row;
     row << n.transpose(), arm.x() * n.transpose(), arm.y() * n.transpose(), arm.z() * n.transpose();

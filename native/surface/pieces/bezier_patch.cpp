@@ -35,7 +35,7 @@ inline void sum_rows(const double* x, const double* w, double* sum) {
 }
 
 // Four numbers of a row or column of control points, `step` apart, to those of its halves.
-// De Casteljau's algorithm at 1/2.
+// De Casteljau at 1/2.
 inline void halve(const double* x, int step, double* low, double* high) {
   const double a = x[0], b = x[step], c = x[2 * step], d = x[3 * step];
   const double ab = 0.5 * (a + b), bc = 0.5 * (b + c), cd = 0.5 * (c + d);
