@@ -348,6 +348,18 @@ def test_another_area_curve(by, largest):
     assert result.volume == pytest.approx(found.displaced_volume, rel=1e-12)
 
 
+def test_shifts_compare_areas_in_parts_of_the_largest():
+    surface, area = wigley_areas(33)
+    body = hn.HullBody(surface, mirrored=True)
+    x = np.linspace(0.0, 2.0, 41)
+    wanted = area * np.clip(1 - np.abs(x - 1.03) ** 2.2, 0.0, None)
+    own, twice = (hn.match_areas(body, x, k * wanted, draft=2.0, tolerance=0.02) for k in (1, 2))
+    assert own.converged and twice.converged
+    assert twice.difference_before == own.difference_before
+    assert twice.difference == own.difference
+    assert np.array_equal(twice.moves, own.moves)
+
+
 def test_a_jump_of_areas_does_not_end_the_search():
     """At the naval vessel's transom the largest difference stands, and all others fall."""
     sample = Sample("naval_vessel")
