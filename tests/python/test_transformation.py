@@ -327,6 +327,26 @@ def test_length_of_the_parallel_body():
         assert after.lcb == pytest.approx(before.lcb, abs=1e-9 * 120.0)
 
 
+def test_groups_over_the_same_stretch_move_as_one():
+    surface, area = wigley_areas(33)
+    body = hn.HullBody(surface, mirrored=True)
+    points = surface.mesh.points
+    # Sections at a quarter of the length: their upper points and their lower ones.
+    near = np.abs(points[:, 0] - 0.5) < 0.1
+    upper, lower = (
+        np.flatnonzero(near & (part > 0)) for part in (points[:, 2] - 1.6, 1.6 - points[:, 2])
+    )
+    ways = []
+    for rigid in ([np.concatenate([upper, lower])], [upper, lower]):
+        limits = hn.TransformLimits(rigid=rigid)
+        shift = hn.SectionShift(body, draft=2.0, length_pp=2.0, limits=limits)
+        ways.append(shift.shifted([0.05, 0.02]))
+    one, two = ways
+    assert np.ptp(one.moves[upper, 0]) == 0.0
+    np.testing.assert_allclose(two.moves, one.moves, atol=1e-12)
+    assert two.largest == pytest.approx(one.largest, abs=1e-12)
+
+
 # Sectional area curves
 
 
