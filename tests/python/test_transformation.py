@@ -187,6 +187,14 @@ def test_targets_are_checked(wanted, message):
         shift.solve(**wanted)
 
 
+def test_cp_needs_an_area_at_half_the_length():
+    surface, _ = wigley_areas(9)
+    body = hn.HullBody(surface, mirrored=True)
+    shift = hn.SectionShift(body, draft=2.0, length_pp=6.0)
+    with pytest.raises(ValueError, match="no area under water at half the Lpp"):
+        shift.solve(prismatic=0.6)
+
+
 def test_kept_ranges_and_locked_points_stay():
     surface, area = wigley_areas(33)
     body = hn.HullBody(surface, mirrored=True)

@@ -15,7 +15,7 @@ void check_points(const std::vector<Vector3d>& points, const char* what) {
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (points[i].allFinite() && points[i].cwiseAbs().maxCoeff() <= mesh::kMaxCoordinate) continue;
     throw std::invalid_argument(std::string(what) + " " + std::to_string(i) +
-                                " is no place within " + std::to_string(1e9) + " m.");
+                                " is no place within 1e9 m.");
   }
 }
 
