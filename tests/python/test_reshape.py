@@ -572,5 +572,16 @@ def test_what_is_wrong_is_said():
         reshape.solve(none[1:], prescribed=[(0, 0, 0)])
     with pytest.raises(ValueError, match="Point 3 cannot move as prescribed"):
         reshape.solve(none, prescribed=[(1, 0, 0)])
+    # 5 is tied to 3; 6 has a sum with 5 that 4 can keep.
+    reshape = hn.Reshape(
+        surface,
+        tied=[(5, 3)],
+        tied_directions=[(1, 0, 0)],
+        kept=[([4, 5, 6], [(1, 0, 0)] * 3)],
+        prescribed=[3, 5, 6],
+    )
+    none = np.zeros((len(reshape.positions), 3))
+    with pytest.raises(ValueError, match="Points 3, 5 cannot all move as prescribed: some"):
+        reshape.solve(none, prescribed=[(0, 0, 0), (1, 0, 0), (1, 0, 0)])
     with pytest.raises(ValueError, match="no number"):
-        reshape.solve(none + np.nan, prescribed=[(0, 0, 0)])
+        reshape.solve(none + np.nan, prescribed=np.zeros((3, 3)))
