@@ -98,6 +98,23 @@ def test_interpolated_it_moves_along_with_its_points(degree, ends):
     np.testing.assert_allclose(moved.evaluate(between), here.evaluate(between) + shift, atol=1e-8)
 
 
+@pytest.mark.parametrize("degree", [1, 2])
+def test_tangents_at_both_ends_need_coefficients_of_their_own(degree):
+    t, points = noisy(20)
+    ends = {"start": [points[0], [1.0, 2.0]], "end": [points[-1], [1.0, -1.0]]}
+    with pytest.raises(ValueError, match="places and tangents of both ends without knots"):
+        hn.smooth_curve(points, 100.0, parameters=t, degree=degree, **ends)
+    # With knots between, and as a straight line, there is no contradiction.
+    curve = hn.smooth_curve(points, 0.1, parameters=t, degree=2, **ends)
+    for at, (place, tangent) in ((0.0, ends["start"]), (10.0, ends["end"])):
+        np.testing.assert_allclose(curve.evaluate([at])[0], place, atol=1e-12)
+        np.testing.assert_allclose(curve.evaluate([at], 1)[0], tangent, atol=1e-9)
+    line = np.outer(t, [1.0, 2.0])
+    ends = {"start": [line[0], [1.0, 2.0]], "end": [line[-1], [1.0, 2.0]]}
+    straight = hn.smooth_curve(line, 0.1, parameters=t, degree=degree, **ends)
+    np.testing.assert_allclose(straight.evaluate(t), line, atol=1e-12)
+
+
 def test_ends_are_met():
     t, points = noisy()
     start, end = [[0.0, 0.1], [1.0, 2.5]], [[10.0, -1.0], [1.0, -1.5]]

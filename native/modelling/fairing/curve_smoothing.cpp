@@ -286,6 +286,7 @@ SmoothCurve Smoothing::run() {
     }
     if (!is_short) find_p();
   }
+  ends(knots_).check_agreement();
   return {degree_, knots_, coefficients_, error_of(), p_, is_short};
 }
 

@@ -58,7 +58,8 @@ struct SmoothingOptions {
 // knot less at the end than at the start.
 //
 // Throws std::invalid_argument for fewer points and conditions than a polynomial of the degree has
-// coefficients, and for what is none of these.
+// coefficients, for places and tangents at both ends that no spline of the degree has with so few
+// knots, and for what is none of these.
 SmoothCurve smooth_curve(const Eigen::MatrixXd& points, double deviation,
                          const SmoothingOptions& options = {});
 
