@@ -258,8 +258,8 @@ void bind_region(py::module_& module) {
            py::arg("values") = py::tuple(), py::arg("progress") = py::none(),
            "The Faired for a root mean square shift by area over the region, deviation, m; it is "
            "met unless the surface is as fair as it can be with less, or the largest shift, m, "
-           "binds. values: of the conditions. progress: a callable that takes the share done, 0 to "
-           "1; what it raises ends it.");
+           "binds. values: of the conditions; ValueError where they need longer moves than both "
+           "let. progress: a callable that takes the share done, 0 to 1; what it raises ends it.");
 }
 
 }  // namespace

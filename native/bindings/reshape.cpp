@@ -234,7 +234,8 @@ void bind_reshape(py::module_& module) {
       },
       py::arg("surface"), py::arg("crease"), py::arg("t"), py::arg("moves"),
       "How far the points at t (k,) of one of crease_curves(), by its number, shift where its "
-      "control points, in the order of its vertices, move by moves (p, 3), m: (k, 3), m. "
+      "control points, in the order of its vertices (a corner where it both begins and ends once), "
+      "move by moves (p, 3), m: (k, 3), m. "
       "ValueError for a crease that ends in a dart.");
 }
 

@@ -113,8 +113,11 @@ class RoundedCorner {
   double distance(const Vector2d& q) const { return gradient(q).dot(q) - 1.0; }
   Vector2d gradient(const Vector2d& q) const {
     const double turn = std::atan2(q.x(), -q.y());
-    if (turn < 0.0) return {0.0, -1.0};
-    return turn > angle_ ? side_ : Vector2d(q / q.norm());
+    // Far along the side's flat the turn is beyond 180 degrees, and so below zero: the bottom ends
+    // opposite to the bisector of the angle.
+    const bool is_beyond = turn < 0.5 * angle_ - std::numbers::pi;
+    if (turn < 0.0 && !is_beyond) return {0.0, -1.0};
+    return is_beyond || turn > angle_ ? side_ : Vector2d(q / q.norm());
   }
 
  private:

@@ -136,3 +136,16 @@ def test_the_points_lie_in_the_flats_and_are_their_own_mirror_image():
 def test_what_is_no_bilge_is_refused(count, angle):
     with pytest.raises(ValueError):
         hn.bilge_arc(count, angle)
+
+
+@pytest.mark.parametrize("degrees, outer", [(90, 0.6), (160, 2.5), (170, 0.6), (170, 1.5)])
+def test_the_side_is_the_image_of_the_bottom(degrees, outer):
+    angle = np.radians(degrees)
+    axis = np.array([np.sin(0.5 * angle), -np.cos(0.5 * angle)])
+    below, beside = hn.bilge_arc(3, angle, outer_bottom=outer), hn.bilge_arc(
+        3, angle, outer_side=outer
+    )
+    image = 2.0 * np.outer(beside.points @ axis, axis) - beside.points
+    # Two searches, each to about 1e-3 of the deviation.
+    assert beside.deviation == pytest.approx(below.deviation, rel=2e-3)
+    np.testing.assert_allclose(image[::-1], below.points, atol=5.0 * below.deviation)

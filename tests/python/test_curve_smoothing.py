@@ -77,6 +77,44 @@ def test_no_deviation_interpolates():
         np.testing.assert_allclose(mine, theirs(between, order), rtol=1e-8, atol=1e-7)
 
 
+@pytest.mark.parametrize(
+    "degree, ends",
+    [(degree, ()) for degree in (1, 2, 3, 4, 5)]
+    + [(degree, (end,)) for degree in (2, 3, 4, 5) for end in ("start", "end")]
+    + [(degree, ("start", "end")) for degree in (3, 4, 5)],
+)
+def test_interpolated_it_moves_along_with_its_points(degree, ends):
+    t, points = noisy(20)
+    given = {end: np.array([points[0 if end == "start" else -1], [1.0, 0.5]]) for end in ends}
+    shift = np.array([300.0, -200.0])
+    there = {end: rows + [shift, [0.0, 0.0]] for end, rows in given.items()}
+    between = np.linspace(0.0, 10.0, 301)
+    here, moved = (
+        hn.smooth_curve(p, 0.0, parameters=t, degree=degree, **at)
+        for p, at in ((points, given), (points + shift, there))
+    )
+    assert len(here.coefficients) == len(t) + len(ends)
+    np.testing.assert_allclose(here.evaluate(t), points, atol=1e-9)
+    np.testing.assert_allclose(moved.evaluate(between), here.evaluate(between) + shift, atol=1e-8)
+
+
+@pytest.mark.parametrize("degree", [1, 2])
+def test_tangents_at_both_ends_need_coefficients_of_their_own(degree):
+    t, points = noisy(20)
+    ends = {"start": [points[0], [1.0, 2.0]], "end": [points[-1], [1.0, -1.0]]}
+    with pytest.raises(ValueError, match="places and tangents of both ends without knots"):
+        hn.smooth_curve(points, 100.0, parameters=t, degree=degree, **ends)
+    # With knots between, and as a straight line, there is no contradiction.
+    curve = hn.smooth_curve(points, 0.1, parameters=t, degree=2, **ends)
+    for at, (place, tangent) in ((0.0, ends["start"]), (10.0, ends["end"])):
+        np.testing.assert_allclose(curve.evaluate([at])[0], place, atol=1e-12)
+        np.testing.assert_allclose(curve.evaluate([at], 1)[0], tangent, atol=1e-9)
+    line = np.outer(t, [1.0, 2.0])
+    ends = {"start": [line[0], [1.0, 2.0]], "end": [line[-1], [1.0, 2.0]]}
+    straight = hn.smooth_curve(line, 0.1, parameters=t, degree=degree, **ends)
+    np.testing.assert_allclose(straight.evaluate(t), line, atol=1e-12)
+
+
 def test_ends_are_met():
     t, points = noisy()
     start, end = [[0.0, 0.1], [1.0, 2.5]], [[10.0, -1.0], [1.0, -1.5]]

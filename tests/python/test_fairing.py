@@ -210,6 +210,24 @@ def test_conditions_and_limits_hold():
         assert not faired.moves[locked].any() and not faired.moves[held, 2].any()
 
 
+@pytest.mark.parametrize("energy", ["thin_plate", "lengthwise", "curvature"])
+def test_conditions_that_need_longer_moves_than_asked_for_are_refused(energy):
+    surface, inner = bulging_sheet()
+    condition = (inner, np.tile([0.0, 0.0, 1.0], (len(inner), 1)))
+    region = hn.FairRegion(
+        surface, inner, along_normals=False, conditions=[condition], energy=energy
+    )
+    # A mean of 10 mm.
+    values = [0.01 * len(inner)]
+    assert region.solve(0.05, values=values).rms <= 0.05 * (1.0 + 1e-9)
+    for deviation in (0.001, 0.0):
+        with pytest.raises(ValueError, match="more than the deviation: give a larger one"):
+            region.solve(deviation, values=values)
+    with pytest.raises(ValueError, match="more than the largest shift: give a larger one"):
+        region.solve(0.05, largest=0.002, values=values)
+    assert not region.solve(0.0, values=[0.0]).moves.any()
+
+
 def test_creases_are_kept_unless_told():
     surface, _ = bulging_sheet()
     kinds = np.asarray(surface.mesh.vertex_kinds)

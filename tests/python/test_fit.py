@@ -177,7 +177,9 @@ def test_it_can_be_watched_and_cancelled():
     [
         ({"targets": np.zeros((3, 2))}, r"targets must have shape \(n, 3\)"),
         ({"targets": [[np.nan, 0, 0]]}, "Target 0"),
+        ({"targets": [[2e9, 0, 0]]}, "Target 0 is no place within 1e9 m"),
         ({"normals": np.zeros((2, 3))}, "as many normals as targets"),
+        ({"normals": [[0.0, np.nan, 1.0]]}, "Normal 0 is no number"),
         ({"weights": [-1.0]}, "weight"),
         ({"curves": [3]}, r"curves\[0\]"),
         ({"curves": [(np.zeros((1, 3)), 0, True)]}, "Curve 0 needs two points"),

@@ -146,6 +146,8 @@ def test_errors_name_what_is_wrong():
     everything = np.arange(surface.mesh.vertex_count)
     with pytest.raises(ValueError, match="Target 0 cannot be reached"):
         hn.pull_surface(surface, [3], [(0.5, 0.5)], at + 1, locked=everything)
+    with pytest.raises(ValueError, match="Target 0 is no place within 1e9 m"):
+        hn.pull_surface(surface, [3], [(0.5, 0.5)], at + 2e9)
     with pytest.raises(ValueError, match="as many targets"):
         hn.pull_surface(surface, [3], [(0.5, 0.5)], np.concatenate([at, at]))
     with pytest.raises(ValueError, match="held_points and held_normals"):

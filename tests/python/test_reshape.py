@@ -8,6 +8,7 @@ import hull_native as hn
 import numpy as np
 import pytest
 from reference_data import MESHES, reference_mesh
+from transformation_hulls import grid_mesh
 from vessels import surface_of_sample
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -526,6 +527,32 @@ def test_crease_moves_are_the_least_squares_and_meet_the_ends():
         hn.crease_moves(surface, 999, t, shifts)
 
 
+def tube_with_one_corner(k=8):
+    """A round tube of k points around; its first border begins and ends in one corner."""
+    angles = 2 * np.pi * np.arange(k) / k
+    points = [np.stack([x + 0 * angles, np.sin(angles), -np.cos(angles)], 1) for x in range(4)]
+    mesh = grid_mesh(np.array(points, dtype=float), is_round=True)
+    sizes = np.full(3 * k, 4)
+    return hn.LimitSurface(hn.ControlMesh(mesh.points, sizes, mesh.face_vertices, corners=[0]))
+
+
+def test_a_crease_that_begins_and_ends_in_one_corner_moves_as_told():
+    surface = tube_with_one_corner()
+    number, curve = next((i, c) for i, c in enumerate(hn.crease_curves(surface)) if not c.closed)
+    assert curve.vertices[0] == curve.vertices[-1] == 0
+    t = np.linspace(0, curve.edge_count, 8 * curve.edge_count + 1)
+    told = np.random.default_rng(SEED).normal(size=(8, 3))
+    after = surface.mesh.points.copy()
+    after[curve.vertices[:-1]] += told
+    after = hn.LimitSurface(surface.mesh.with_points(after))
+    shifts = hn.crease_curves(after)[number].evaluate(t)[0] - curve.evaluate(t)[0]
+    points, moves, distance, _ = hn.crease_moves(surface, number, t, shifts)
+    assert points.tolist() == curve.vertices[:-1].tolist() and distance < 1e-12
+    np.testing.assert_allclose(moves, told, atol=1e-12)
+    got = hn.crease_shifts(surface, number, t, moves)
+    np.testing.assert_allclose(got, shifts, atol=1e-12)
+
+
 def test_what_is_wrong_is_said():
     surface = surface_of_sample("coaster")
     count = len(surface.mesh.points)
@@ -545,5 +572,16 @@ def test_what_is_wrong_is_said():
         reshape.solve(none[1:], prescribed=[(0, 0, 0)])
     with pytest.raises(ValueError, match="Point 3 cannot move as prescribed"):
         reshape.solve(none, prescribed=[(1, 0, 0)])
+    # 5 is tied to 3; 6 has a sum with 5 that 4 can keep.
+    reshape = hn.Reshape(
+        surface,
+        tied=[(5, 3)],
+        tied_directions=[(1, 0, 0)],
+        kept=[([4, 5, 6], [(1, 0, 0)] * 3)],
+        prescribed=[3, 5, 6],
+    )
+    none = np.zeros((len(reshape.positions), 3))
+    with pytest.raises(ValueError, match="Points 3, 5 cannot all move as prescribed: some"):
+        reshape.solve(none, prescribed=[(0, 0, 0), (1, 0, 0), (1, 0, 0)])
     with pytest.raises(ValueError, match="no number"):
-        reshape.solve(none + np.nan, prescribed=[(0, 0, 0)])
+        reshape.solve(none + np.nan, prescribed=np.zeros((3, 3)))

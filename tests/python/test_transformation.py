@@ -187,6 +187,14 @@ def test_targets_are_checked(wanted, message):
         shift.solve(**wanted)
 
 
+def test_cp_needs_an_area_at_half_the_length():
+    surface, _ = wigley_areas(9)
+    body = hn.HullBody(surface, mirrored=True)
+    shift = hn.SectionShift(body, draft=2.0, length_pp=6.0)
+    with pytest.raises(ValueError, match="no area under water at half the Lpp"):
+        shift.solve(prismatic=0.6)
+
+
 def test_kept_ranges_and_locked_points_stay():
     surface, area = wigley_areas(33)
     body = hn.HullBody(surface, mirrored=True)
@@ -327,6 +335,26 @@ def test_length_of_the_parallel_body():
         assert after.lcb == pytest.approx(before.lcb, abs=1e-9 * 120.0)
 
 
+def test_groups_over_the_same_stretch_move_as_one():
+    surface, area = wigley_areas(33)
+    body = hn.HullBody(surface, mirrored=True)
+    points = surface.mesh.points
+    # Sections at a quarter of the length: their upper points and their lower ones.
+    near = np.abs(points[:, 0] - 0.5) < 0.1
+    upper, lower = (
+        np.flatnonzero(near & (part > 0)) for part in (points[:, 2] - 1.6, 1.6 - points[:, 2])
+    )
+    ways = []
+    for rigid in ([np.concatenate([upper, lower])], [upper, lower]):
+        limits = hn.TransformLimits(rigid=rigid)
+        shift = hn.SectionShift(body, draft=2.0, length_pp=2.0, limits=limits)
+        ways.append(shift.shifted([0.05, 0.02]))
+    one, two = ways
+    assert np.ptp(one.moves[upper, 0]) == 0.0
+    np.testing.assert_allclose(two.moves, one.moves, atol=1e-12)
+    assert two.largest == pytest.approx(one.largest, abs=1e-12)
+
+
 # Sectional area curves
 
 
@@ -346,6 +374,18 @@ def test_another_area_curve(by, largest):
     assert np.abs(found - target).max() / area <= result.difference + 2e-3
     found = hn.hydrostatics(now, draft=2.0)
     assert result.volume == pytest.approx(found.displaced_volume, rel=1e-12)
+
+
+def test_shifts_compare_areas_in_parts_of_the_largest():
+    surface, area = wigley_areas(33)
+    body = hn.HullBody(surface, mirrored=True)
+    x = np.linspace(0.0, 2.0, 41)
+    wanted = area * np.clip(1 - np.abs(x - 1.03) ** 2.2, 0.0, None)
+    own, twice = (hn.match_areas(body, x, k * wanted, draft=2.0, tolerance=0.02) for k in (1, 2))
+    assert own.converged and twice.converged
+    assert twice.difference_before == own.difference_before
+    assert twice.difference == own.difference
+    assert np.array_equal(twice.moves, own.moves)
 
 
 def test_a_jump_of_areas_does_not_end_the_search():

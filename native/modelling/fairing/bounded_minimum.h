@@ -27,7 +27,8 @@ class BoundedMinimum {
 
   // `excess` of x, if given: how many times too large something else about it is, 1 where it just
   // may be; with it p is raised until it is 1 or less. The length is met to 1e-12 of itself, the
-  // excess to 1e-9. REQUIRES: bound > 0; H positive semidefinite.
+  // excess to 1e-9; where conditions leave nothing within both it is the shortest x, which is
+  // beyond them. REQUIRES: bound > 0; H positive semidefinite.
   Result solve(const Sparse& h, const Eigen::VectorXd& g, const Eigen::VectorXd& d, double bound,
                const std::function<double(const Eigen::VectorXd&)>& excess = {}) const;
 

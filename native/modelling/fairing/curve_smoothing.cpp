@@ -224,14 +224,13 @@ bool Smoothing::add_knot() {
 void Smoothing::take_knots_at_points() {
   const auto ends_knots = static_cast<std::size_t>(order());
   // A knot at each point between, but for the first and last of them where nothing else holds the
-  // ends.
-  const auto left_out = [&](const CurveEnd& end) {
-    return std::max(0, (degree_ - 1) / 2 - SplineEnds::extra(end));
-  };
-  const std::size_t from = static_cast<std::size_t>(1 + left_out(start_));
-  const std::size_t to = t_.size() - 1 - std::min(t_.size() - 1, std::size_t(left_out(end_)));
+  // ends; of an even degree's odd number the end lacks one more.
+  const int at_start = SplineEnds::extra(start_), all = at_start + SplineEnds::extra(end_);
+  const int first = std::max(0, (degree_ - 1) / 2 - at_start);
+  const int last = std::max(0, degree_ - 1 - all - first);
+  const std::size_t to = t_.size() - 1 - std::min(t_.size() - 1, std::size_t(last));
   knots_.assign(ends_knots, t_.front());
-  for (std::size_t i = from; i < to; ++i) knots_.push_back(t_[i]);
+  for (std::size_t i = std::size_t(1 + first); i < to; ++i) knots_.push_back(t_[i]);
   knots_.insert(knots_.end(), ends_knots, t_.back());
 }
 
@@ -287,6 +286,7 @@ SmoothCurve Smoothing::run() {
     }
     if (!is_short) find_p();
   }
+  ends(knots_).check_agreement();
   return {degree_, knots_, coefficients_, error_of(), p_, is_short};
 }
 

@@ -54,10 +54,12 @@ struct SmoothingOptions {
 // point, where each coefficient has to keep a point of its own) until the least squares spline has
 // E <= S. Then E = S is met, to 1e-9 of S, by the p of the least Σ jump² + p E. A polynomial of the
 // degree within S has no inner knots, and E < S. M = 0 interpolates; a cubic has no knot at the
-// second and the last but one point then, unless its ends have conditions.
+// second and the last but one point then, unless its ends have conditions. An even degree has one
+// knot less at the end than at the start.
 //
 // Throws std::invalid_argument for fewer points and conditions than a polynomial of the degree has
-// coefficients, and for what is none of these.
+// coefficients, for places and tangents at both ends that no spline of the degree has with so few
+// knots, and for what is none of these.
 SmoothCurve smooth_curve(const Eigen::MatrixXd& points, double deviation,
                          const SmoothingOptions& options = {});
 

@@ -2,6 +2,8 @@
 #include "modelling/fairing/fair_limits.h"
 
 #include <algorithm>
+#include <cmath>
+#include <sstream>
 #include <stdexcept>
 
 #include "modelling/complement.h"
@@ -11,6 +13,8 @@ namespace {
 
 // Of a unit normal's part across the ship: less has no direction.
 constexpr double kNoNormal = 1e-6;
+// Of a bound: less is beyond it by rounding alone.
+constexpr double kFarther = 1e-8;
 
 std::vector<int> unique_points(std::vector<int> points, int count) {
   if (points.empty()) throw std::invalid_argument("Choose the control points that are to move.");
@@ -55,6 +59,29 @@ ReshapeLimits fair_limits(const surface::LimitSurface& surface, const FairOption
     }
   }
   return limits;
+}
+
+void check_bounds(double deviation, double largest) {
+  if (!(deviation >= 0.0) || !std::isfinite(deviation)) {
+    throw std::invalid_argument("The deviation must not be negative, nor infinite.");
+  }
+  if (!(largest > 0.0)) throw std::invalid_argument("The largest shift must be above zero.");
+}
+
+void refuse_farther(const Faired& faired, double deviation, double largest) {
+  std::ostringstream words;
+  words.precision(3);
+  if (faired.rms > deviation * (1.0 + kFarther)) {
+    words << "What is to be kept needs shifts of " << faired.rms
+          << " m RMS, which is more than the deviation";
+  } else if (faired.largest > largest * (1.0 + kFarther)) {
+    words << "What is to be kept was found with a shift of " << faired.largest
+          << " m alone, which is more than the largest shift";
+  } else {
+    return;
+  }
+  words << ": give a larger one, choose more points, or keep less.";
+  throw std::invalid_argument(words.str());
 }
 
 }  // namespace hull::modelling

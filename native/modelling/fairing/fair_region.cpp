@@ -242,10 +242,7 @@ BoundedMinimum::Result FairRegion::Problem::descend(const Eigen::VectorXd& value
 Faired FairRegion::Problem::solve(double deviation, double largest,
                                   const std::vector<double>& values,
                                   const surface::Progress& progress) const {
-  if (!(deviation >= 0.0) || !std::isfinite(deviation)) {
-    throw std::invalid_argument("The deviation must not be negative, nor infinite.");
-  }
-  if (!(largest > 0.0)) throw std::invalid_argument("The largest shift must be above zero.");
+  check_bounds(deviation, largest);
   if (static_cast<Eigen::Index>(values.size()) != conditions_.rows()) {
     throw std::invalid_argument("There must be " + std::to_string(conditions_.rows()) +
                                 " values of conditions, not " + std::to_string(values.size()) +
@@ -257,7 +254,9 @@ Faired FairRegion::Problem::solve(double deviation, double largest,
   faired.settled = true;
   const Eigen::VectorXd none = Eigen::VectorXd::Zero(space_.size());
   faired.energy_before = energy_at(none);
-  Result found{none, 0.0, 0.0, true};
+  // Without any deviation what conditions ask for is told, and so refused.
+  const bool is_still = deviation > 0.0 || wished.isZero(0.0);
+  Result found{is_still ? none : minimum_->shortest(wished), 0.0, 0.0, true};
   if (deviation > 0.0) {
     found = geometric_ ? descend(wished, deviation, largest, progress, faired)
                        : minimum_->solve(h_, g_, wished, deviation, [&](const Eigen::VectorXd& x) {
@@ -271,6 +270,7 @@ Faired FairRegion::Problem::solve(double deviation, double largest,
   faired.largest_place = faired.largest > 0.0 ? static_cast<int>(place) : -1;
   for (int k : region_) faired.rms += places_.area(k) / area_ * far[k] * far[k];
   faired.rms = std::sqrt(faired.rms);
+  refuse_farther(faired, deviation, largest);
   // Of two bounds the one that is just met.
   faired.bound = !found.is_bound                         ? Faired::Bound::kNothing
                  : faired.rms < deviation * (1.0 - 1e-6) ? Faired::Bound::kLargest

@@ -84,7 +84,8 @@ class FairRegion {
 
   // deviation, m, not negative; largest: the largest shift anywhere on the surface, m, infinite for
   // any: where it binds the RMS is less than the deviation. `values` of the conditions.
-  // Throws std::invalid_argument for what is none of these.
+  // Throws std::invalid_argument for what is none of these, and for conditions that need longer
+  // moves than these bounds let.
   Faired solve(double deviation, double largest, const std::vector<double>& values = {},
                const surface::Progress& progress = {}) const;
 

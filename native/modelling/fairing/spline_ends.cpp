@@ -10,6 +10,7 @@ namespace {
 using Eigen::Index;
 
 constexpr int kDegreeOfSecond = 5;  // with second derivatives given
+constexpr double kAgreeing = 1e-9;  // of a coefficient's size
 
 // The first coefficients of a spline that has a place and derivatives at its start, by the lengths
 // from there to the next knots; of the last ones these are the negative lengths back.
@@ -87,9 +88,18 @@ void SplineEnds::give(const CurveEnd& start, const CurveEnd& end, int degree,
     free_of_[count - 1 - row] = -1;
   }
   for (Index row = 0; row < first.rows(); ++row) {
+    const bool is_given = free_of_[row] < 0;
+    if (is_given && !first.row(row).isApprox(given_.row(row), kAgreeing)) is_contradictory_ = true;
     given_.row(row) = first.row(row);
     free_of_[row] = -1;
   }
+}
+
+void SplineEnds::check_agreement() const {
+  if (!is_contradictory_) return;
+  throw std::invalid_argument(
+      "The curve cannot have the places and tangents of both ends without knots between: take a "
+      "degree of 3, or a smaller deviation.");
 }
 
 // f″ = 0 where (c2 - c1) / (k2 - k0) = (c1 - c0) / (k1 - k0), with k1 and k2 the knots after the

@@ -23,6 +23,10 @@ class SplineEnds {
   SplineEnds(const CurveEnd& start, const CurveEnd& end, int degree,
              const std::vector<double>& knots);
 
+  // Throws std::invalid_argument where what is given at both ends asks for other values of one and
+  // the same coefficient, as of a low degree without knots between.
+  void check_agreement() const;
+
   Eigen::Index free_count() const { return free_count_; }
   bool is_free(Eigen::Index coefficient) const { return free_of_[coefficient] >= 0; }
 
@@ -50,6 +54,7 @@ class SplineEnds {
   std::vector<Eigen::Index> free_of_;  // number among the free ones; -1: not free
   std::vector<Tie> ties_;
   Eigen::Index free_count_ = 0;
+  bool is_contradictory_ = false;
 };
 
 }  // namespace hull::modelling

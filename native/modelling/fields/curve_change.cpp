@@ -45,23 +45,30 @@ double common(const FieldCurve& a, const FieldCurve& b, bool from_end) {
 CurveChange::CurveChange(FieldCurve curve, FieldCurve other)
     : curve_(std::move(curve)), other_(std::move(other)) {
   const double length = curve_.length(), other_length = other_.length();
-  const double before = common(curve_, other_, false);
+  const double before = common(curve_, other_, false), ending = common(curve_, other_, true);
   // Where the curves cross again what is in common at the end is not that of the beginning, too.
-  const double after =
-      std::min({common(curve_, other_, true), length - before, other_length - before});
+  const double after = std::min({ending, length - before, other_length - before});
   begin_ = other_begin_ = before;
   end_ = length - after;
   other_end_ = other_length - after;
-  if (end_ - begin_ <= kSame * length && other_end_ - other_begin_ <= kSame * length) {
+  const bool is_empty = end_ - begin_ <= kSame * length;
+  const bool is_other_empty = other_end_ - other_begin_ <= kSame * length;
+  if (is_empty && is_other_empty) {
     end_ = begin_;
     return;
   }
-  if (!(end_ > begin_)) return;
+  if (is_empty || is_other_empty) {
+    // One is the other but for a stretch that it lacks: nothing cannot become a stretch, nor a
+    // stretch nothing, so that all of both takes part.
+    begin_ = other_begin_ = 0.0;
+    end_ = length;
+    other_end_ = other_length;
+  }
   // The slope between, 1 + c, is positive as long as the ways to it leave room.
   const double proportion = (other_end_ - other_begin_) / (end_ - begin_);
   const double width = std::min(kWidest, 0.5 * proportion);
   if (before > 0.0) rise_ = width;
-  if (after > 0.0) fall_ = width;
+  if (ending > 0.0) fall_ = width;
 }
 
 ValueAlong<double> CurveChange::mapped(double length) const {

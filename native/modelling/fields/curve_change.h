@@ -13,7 +13,9 @@ namespace hull::modelling {
 // 1e-9 of the length, stays bit by bit. Veelo maps by equal proportions of the lengths of these
 // stretches, which gives the shift a kink along the curve of (other length / length) - 1 where they
 // begin, and a surface a knuckle. Here m has the slope 1 and no bend there, and rises everywhere.
-// At an end of the curve that moves itself m keeps to the proportion.
+// At an end of the curve that moves itself m keeps to the proportion. Where one curve is the other
+// but for a stretch that it lacks, as a straight line that becomes a longer one, all of both takes
+// part.
 class CurveChange {
  public:
   CurveChange(FieldCurve curve, FieldCurve other);

@@ -15,7 +15,7 @@ void check_points(const std::vector<Vector3d>& points, const char* what) {
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (points[i].allFinite() && points[i].cwiseAbs().maxCoeff() <= mesh::kMaxCoordinate) continue;
     throw std::invalid_argument(std::string(what) + " " + std::to_string(i) +
-                                " is no place within " + std::to_string(1e9) + " m.");
+                                " is no place within 1e9 m.");
   }
 }
 
@@ -29,6 +29,11 @@ void check_target(const FitTarget& target) {
   };
   check_length(target.normals.size(), "normals");
   check_length(target.weights.size(), "weights");
+  for (std::size_t i = 0; i < target.normals.size(); ++i) {
+    if (target.normals[i].allFinite()) continue;
+    throw std::invalid_argument("Normal " + std::to_string(i) +
+                                " is no number: leave out its target, or give no normals.");
+  }
   for (double weight : target.weights) {
     if (!(weight >= 0.0 && std::isfinite(weight))) {
       throw std::invalid_argument("A target's weight is " + std::to_string(weight) +

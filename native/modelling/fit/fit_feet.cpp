@@ -6,8 +6,8 @@
 #include <limits>
 
 #include "analysis/fairness/cell_places.h"
+#include "modelling/fit/even_ranges.h"
 #include "modelling/fit/fit_rows.h"
-#include "surface/parallel_for.h"
 #include "surface/queries/closest_point.h"
 
 namespace hull::modelling::fit_internal {
@@ -98,20 +98,17 @@ Feet find_feet(const surface::LimitSurface& surface, const surface::SurfaceTree&
   Feet feet;
   feet.all.resize(target.points.size());
   const double on_surface = kOnSurface * tree.error_size();
-  surface::parallel_for(
-      target.points.size(), surface::kAllProcessors,
-      [&](std::size_t begin, std::size_t end) {
-        const std::vector<Vector3d> some(target.points.begin() + static_cast<std::ptrdiff_t>(begin),
-                                         target.points.begin() + static_cast<std::ptrdiff_t>(end));
-        const std::vector<surface::ClosestPoint> closest =
-            surface::closest_points(tree, some, options.reach);
-        for (std::size_t i = begin; i < end; ++i) {
-          feet.all[i] = foot_of(surface, closest[i - begin], target.points[i],
-                                target.normals.empty() ? nullptr : &target.normals[i], on_surface,
-                                options.draw_border);
-        }
-      },
-      512);
+  for_even_ranges(target.points.size(), [&](std::size_t begin, std::size_t end) {
+    const std::vector<Vector3d> some(target.points.begin() + static_cast<std::ptrdiff_t>(begin),
+                                     target.points.begin() + static_cast<std::ptrdiff_t>(end));
+    const std::vector<surface::ClosestPoint> closest =
+        surface::closest_points(tree, some, options.reach);
+    for (std::size_t i = begin; i < end; ++i) {
+      feet.all[i] = foot_of(surface, closest[i - begin], target.points[i],
+                            target.normals.empty() ? nullptr : &target.normals[i], on_surface,
+                            options.draw_border);
+    }
+  });
   // By one thread in the targets' order, so that sums are the same however many threads found the
   // feet.
   double sum = 0.0;

@@ -4,7 +4,7 @@
 #include <Eigen/Geometry>
 #include <array>
 
-#include "surface/parallel_for.h"
+#include "modelling/fit/even_ranges.h"
 #include "surface/queries/closest_point.h"
 
 namespace hull::modelling::fit_internal {
@@ -60,15 +60,12 @@ PlacePulls find_place_pulls(const surface::LimitSurface& surface,
     // By the place's index: the order of rows, and so of sums, is not that of the threads.
     pulls.rows[i] = row;
   };
-  surface::parallel_for(
-      places.size(), surface::kAllProcessors,
-      [&](std::size_t begin, std::size_t end) {
-        std::vector<Vector3d> points;
-        for (std::size_t i = begin; i < end; ++i) points.push_back(places[i].point);
-        const std::vector<surface::ClosestPoint> feet = surface::closest_points(tree, points);
-        for (std::size_t i = begin; i < end; ++i) pull(i, feet[i - begin]);
-      },
-      512);
+  for_even_ranges(places.size(), [&](std::size_t begin, std::size_t end) {
+    std::vector<Vector3d> points;
+    for (std::size_t i = begin; i < end; ++i) points.push_back(places[i].point);
+    const std::vector<surface::ClosestPoint> feet = surface::closest_points(tree, points);
+    for (std::size_t i = begin; i < end; ++i) pull(i, feet[i - begin]);
+  });
   double area = 0.0;
   for (const FitRow& row : pulls.rows) area += row.weight;
   if (!(area > 0.0)) return {};

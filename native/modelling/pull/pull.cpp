@@ -33,7 +33,7 @@ void check_targets(const surface::LimitSurface& surface, const std::vector<PullT
       throw std::invalid_argument(name + ": u and v must be within [0, 1].");
     }
     if (!t.point.allFinite() || t.point.cwiseAbs().maxCoeff() > mesh::kMaxCoordinate) {
-      throw std::invalid_argument(name + " is no place within " + std::to_string(1e9) + " m.");
+      throw std::invalid_argument(name + " is no place within 1e9 m.");
     }
   }
 }

@@ -12,6 +12,13 @@
 namespace hull::modelling {
 namespace {
 
+// The chain's control points, in order: a corner where it both begins and ends once.
+std::vector<int> points_of(const surface::CreaseCurve& curve) {
+  std::vector<int> points = curve.vertices();
+  if (points.front() == points.back()) points.pop_back();
+  return points;
+}
+
 void check_curve(const surface::LimitSurface& surface, const surface::CreaseCurve& curve,
                  const std::vector<double>& t) {
   for (std::size_t k = 0; k < t.size(); ++k) {
@@ -43,7 +50,7 @@ void check_shifts(const std::vector<double>& t, const std::vector<Vector3d>& shi
 Eigen::MatrixXd weights_of(const surface::LimitSurface& surface, const surface::CreaseCurve& curve,
                            const std::vector<double>& t) {
   std::map<int, Eigen::Index> column;
-  for (int vertex : curve.vertices()) {
+  for (int vertex : points_of(curve)) {
     column.emplace(vertex, static_cast<Eigen::Index>(column.size()));
   }
   surface::PointWeights weights(surface);
@@ -68,6 +75,7 @@ CreaseMoves crease_moves(const surface::LimitSurface& surface, const surface::Cr
                          const std::vector<int>& staying) {
   check_shifts(t, shifts);
   check_curve(surface, curve, t);
+  const std::vector<int> points = points_of(curve);
   const Eigen::MatrixXd rows = weights_of(surface, curve, t);
   Eigen::MatrixX3d wanted(rows.rows(), 3);
   for (Eigen::Index k = 0; k < rows.rows(); ++k) wanted.row(k) = shifts[k].transpose();
@@ -78,13 +86,14 @@ CreaseMoves crease_moves(const surface::LimitSurface& surface, const surface::Cr
     if (!is_first && !is_last) continue;
     // The curve ends in its control point, which so moves by the whole shift, whatever the rest of
     // the curve would rather have.
-    const Eigen::Index end = is_first ? 0 : rows.cols() - 1;
+    const int corner = is_first ? curve.vertices().front() : curve.vertices().back();
+    const Eigen::Index end = std::ranges::find(points, corner) - points.begin();
     moves.row(end) = wanted.row(k);
     free.col(end).setZero();
   }
   for (Eigen::Index i = 0; i < moves.rows(); ++i) {
     // After the ends: what stays does so whatever is wanted of an end.
-    if (std::ranges::find(staying, curve.vertices()[i]) == staying.end()) continue;
+    if (std::ranges::find(staying, points[i]) == staying.end()) continue;
     moves.row(i).setZero();
     free.col(i).setZero();
   }
@@ -96,7 +105,7 @@ CreaseMoves crease_moves(const surface::LimitSurface& surface, const surface::Cr
     if (!free.col(i).isZero(0.0)) moves.row(i) += rest.row(i);
   }
   Eigen::Index farthest = 0;
-  CreaseMoves result{curve.vertices(), {}, 0.0, 0.0};
+  CreaseMoves result{points, {}, 0.0, 0.0};
   result.distance = (wanted - rows * moves).rowwise().norm().maxCoeff(&farthest);
   result.t = t[farthest];
   for (Eigen::Index i = 0; i < moves.rows(); ++i) {
@@ -109,9 +118,10 @@ std::vector<Vector3d> crease_shifts(const surface::LimitSurface& surface,
                                     const surface::CreaseCurve& curve, const std::vector<double>& t,
                                     const std::vector<Vector3d>& moves) {
   check_curve(surface, curve, t);
-  if (moves.size() != curve.vertices().size()) {
+  const std::size_t count = points_of(curve).size();
+  if (moves.size() != count) {
     throw std::invalid_argument("There must be a move for each of the crease's " +
-                                std::to_string(curve.vertices().size()) + " control points, not " +
+                                std::to_string(count) + " control points, not " +
                                 std::to_string(moves.size()) + ".");
   }
   const Eigen::MatrixXd rows = weights_of(surface, curve, t);

@@ -11,7 +11,8 @@ namespace hull::modelling {
 // How the control points of a chain of creases or borders move: as prescribed points of a Reshape
 // they bring the crease where it is wanted, whatever the surface beside it does.
 struct CreaseMoves {
-  std::vector<int> points;      // of the chain, in its order
+  // Of the chain, in its order; a corner where it both begins and ends is there once.
+  std::vector<int> points;
   std::vector<Vector3d> moves;  // m
   double distance;              // of the curve then from where it was wanted, at most, m …
   double t;                     // … and where
@@ -31,9 +32,9 @@ CreaseMoves crease_moves(const surface::LimitSurface& surface, const surface::Cr
                          const std::vector<double>& t, const std::vector<Vector3d>& shifts,
                          const std::vector<int>& staying = {});
 
-// How far the curve's points at each of `t` shift, m, where the control points of its chain, in its
-// order, move by `moves`, m: each by itself, whatever the surface beside it does. Throws as
-// crease_moves(), and where there is not a move for each control point.
+// How far the curve's points at each of `t` shift, m, where the control points of its chain, as
+// of crease_moves(), move by `moves`, m: each by itself, whatever the surface beside it does.
+// Throws as crease_moves(), and where there is not a move for each control point.
 std::vector<Vector3d> crease_shifts(const surface::LimitSurface& surface,
                                     const surface::CreaseCurve& curve, const std::vector<double>& t,
                                     const std::vector<Vector3d>& moves);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -16,6 +17,8 @@ namespace {
 
 // Of the prescribed moves: what contradictory limits leave is never near this.
 constexpr double kMet = 1e-10;
+// Of what is left at most: less is left of moves that contradict nothing.
+constexpr double kInnocent = 1e-3;
 
 void check(const ReshapeLimits& limits, int count) {
   for (int point : limits.prescribed) check_point(point, count, "prescribed");
@@ -33,6 +36,19 @@ void check(const ReshapeLimits& limits, int count) {
   for (std::size_t i = 0; i < limits.kept.size(); ++i) {
     check_condition(limits.kept[i], count, ("Kept sum " + std::to_string(i)).c_str());
   }
+}
+
+[[noreturn]] void refuse_prescribed(const std::set<int>& points) {
+  std::string names;
+  for (int point : points) names += (names.empty() ? "" : ", ") + std::to_string(point);
+  if (points.size() == 1) {
+    throw std::invalid_argument("Point " + names +
+                                " cannot move as prescribed: it is locked, held in a plane, or "
+                                "tied to one that is.");
+  }
+  throw std::invalid_argument("Points " + names +
+                              " cannot all move as prescribed: some of them are locked, held in a "
+                              "plane, or tied to one that is, or they are tied to one another.");
 }
 
 }  // namespace
@@ -193,21 +209,21 @@ Eigen::VectorXd MoveSpace::particular(const std::vector<Vector3d>& prescribed) c
   Eigen::VectorXd moves = Eigen::VectorXd::Zero(3 * static_cast<Eigen::Index>(point_count_));
   for (const Group& group : told_groups_) {
     Eigen::VectorXd values = Eigen::VectorXd::Zero(group.rows.rows());
-    int told = 0;
     for (std::size_t i = 0; i < group.told.size(); ++i) {
       const int c = group.told[i];
-      if (c < 0) continue;
-      values[static_cast<Eigen::Index>(i)] = prescribed[c / 3][c % 3];
-      told = c / 3;
+      if (c >= 0) values[static_cast<Eigen::Index>(i)] = prescribed[c / 3][c % 3];
     }
     const Eigen::VectorXd x = group.inverse * values;
     // The pseudo-inverse answers in any case; that rows contradict one another only their residual
     // tells.
-    const double left = (group.rows * x - values).cwiseAbs().maxCoeff();
-    if (!(left <= kMet * values.cwiseAbs().maxCoeff())) {
-      throw std::invalid_argument("Point " + std::to_string(prescribed_[told]) +
-                                  " cannot move as prescribed: it is locked, held in a plane, or "
-                                  "tied to one that is.");
+    const Eigen::VectorXd left = (group.rows * x - values).cwiseAbs();
+    if (!(left.maxCoeff() <= kMet * values.cwiseAbs().maxCoeff())) {
+      std::set<int> contradicting;
+      for (std::size_t i = 0; i < group.told.size(); ++i) {
+        const bool is_met = left[static_cast<Eigen::Index>(i)] <= kInnocent * left.maxCoeff();
+        if (group.told[i] >= 0 && !is_met) contradicting.insert(prescribed_[group.told[i] / 3]);
+      }
+      refuse_prescribed(contradicting);
     }
     for (std::size_t k = 0; k < group.coordinates.size(); ++k) {
       moves[group.coordinates[k]] = x[static_cast<Eigen::Index>(k)];

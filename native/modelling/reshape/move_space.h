@@ -46,8 +46,8 @@ class MoveSpace {
   int point_count() const { return point_count_; }
 
   // The shortest moves within the limits by which the prescribed points move as told, one vector
-  // each; 3 x points long. Throws std::invalid_argument, naming the point, where the limits allow
-  // none.
+  // each; 3 x points long. Throws std::invalid_argument, naming those that contradict the
+  // limits or one another, where there are none.
   Eigen::VectorXd particular(const std::vector<Vector3d>& prescribed) const;
 
  private:

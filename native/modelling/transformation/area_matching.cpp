@@ -25,6 +25,8 @@ class Way {
   virtual ~Way() = default;
   virtual Reshaped solve(const StationSpline& change) const = 0;
   virtual const SurfacePlaces& places() const = 0;
+  // What areas of the hull are multiplied by before they are compared with those wanted.
+  virtual double scale() const = 0;
   virtual std::vector<double> improved(const WorkingHull& hull, const std::vector<double>& stations,
                                        const std::vector<double>& values) = 0;
 };
@@ -42,6 +44,8 @@ class ShiftWay : public Way {
     return reshape_.solve([&](double x) { return change.at(x); });
   }
   const SurfacePlaces& places() const override { return reshape_.places(); }
+  // The largest section is left as it is, so that parts of the largest are all that can be met.
+  double scale() const override { return target_.largest() / largest_; }
 
   std::vector<double> improved(const WorkingHull& hull, const std::vector<double>& stations,
                                const std::vector<double>& values) override {
@@ -85,6 +89,7 @@ class InflateWay : public Way {
     return reshape_.solve([&](double x) { return change.at(x); });
   }
   const SurfacePlaces& places() const override { return reshape_.places(); }
+  double scale() const override { return 1.0; }
 
   std::vector<double> improved(const WorkingHull& hull, const std::vector<double>& stations,
                                const std::vector<double>& values) override {
@@ -111,11 +116,13 @@ struct Difference {
   double largest = 0.0, at = 0.0, rms = 0.0;
 };
 
-Difference difference(const WorkingHull& hull, const TargetCurve& target,
+// `scale`: as of Way.
+Difference difference(const WorkingHull& hull, double scale, const TargetCurve& target,
                       const std::vector<double>& places) {
   Difference found;
   for (const analysis::SectionArea& section : hull.sections(places)) {
-    const double lack = std::abs(section.area - target.at(section.position)) / target.largest();
+    const double lack =
+        std::abs(scale * section.area - target.at(section.position)) / target.largest();
     found.rms += lack * lack;
     if (lack > found.largest) {
       found.largest = lack;
@@ -156,7 +163,7 @@ AreasMatched match_areas(const analysis::HullBody& body, const analysis::Floatin
   std::vector<double> values(kStations, 0.0);
   AreasMatched result{};
   result.moves.assign(hull.points().size(), Vector3d::Zero());
-  const Difference first = difference(hull, target, compared);
+  const Difference first = difference(hull, way->scale(), target, compared);
   result.difference_before = result.difference = first.largest;
   result.difference_at = first.at;
   // A jump of areas, as at a transom or a rudder, may be beyond what sections can follow: the
@@ -174,7 +181,7 @@ AreasMatched match_areas(const analysis::HullBody& body, const analysis::Floatin
     }
     hull.move(reshaped.moves);
     ++result.iterations;
-    const Difference now = difference(hull, target, compared);
+    const Difference now = difference(hull, way->scale(), target, compared);
     // Not each step is better than the one before: the best is what comes back.
     if (now.rms < least) {
       least = now.rms;

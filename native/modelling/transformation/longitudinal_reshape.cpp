@@ -145,18 +145,21 @@ LongitudinalReshape::LongitudinalReshape(const surface::LimitSurface& surface,
       group_of_(rigid.group_of),
       reshape_(surface, options_for(surface, limits, rigid.points)) {}
 
+double LongitudinalReshape::Group::weight(double x) const {
+  const double reach = 2.0 * (forward - aft), distance = std::abs(x - nearest(x));
+  return distance < reach ? 1.0 - smooth_step(distance / reach) : 0.0;
+}
+
 double LongitudinalReshape::with_groups(const std::function<double(double x)>& shift,
                                         double x) const {
-  double sum = shift(x);
+  double weights = 0.0, sum = shift(x);
+  for (const Group& group : groups_) weights += group.weight(x);
   for (const Group& group : groups_) {
-    const double length = group.forward - group.aft;
-    const double nearest = std::clamp(x, group.aft, group.forward);
-    const double distance = std::abs(x - nearest);
-    if (!(distance < 2.0 * length)) continue;
-    sum +=
-        // Within the group this makes it the middle's shift; outside, what is missing at its end
-        // fades.
-        (shift(group.middle()) - shift(nearest)) * (1.0 - smooth_step(distance / (2.0 * length)));
+    const double weight = group.weight(x);
+    if (!(weight > 0.0)) continue;
+    // Within the group this makes it the middle's shift; outside, what is missing at its end fades.
+    // Of several, as of the two halves of a transom, each counts by its share.
+    sum += (shift(group.middle()) - shift(group.nearest(x))) * weight * (weight / weights);
   }
   return sum;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <vector>
 
@@ -25,7 +26,8 @@ std::vector<std::vector<int>> plane_ends(const surface::LimitSurface& surface);
 // Reshaping by shifts along the ship alone: control points move along x, but for those held in
 // planes that are raked, which move within these. Rigid groups move by what is wanted in their
 // middle, and sections along a group with them: the shift goes over to what is wanted elsewhere
-// within twice its length. Creases and borders in a plane across the ship stay in one. Immutable.
+// within twice its length; where several groups are near it is a mean of theirs. Creases and
+// borders in a plane across the ship stay in one. Immutable.
 class LongitudinalReshape {
  public:
   // Throws std::invalid_argument as Reshape does.
@@ -51,6 +53,9 @@ class LongitudinalReshape {
   struct Group {
     double aft, forward;  // x, m
     double middle() const { return 0.5 * (aft + forward); }
+    double nearest(double x) const { return std::clamp(x, aft, forward); }
+    // 1 within the group, falling to 0 within twice its length.
+    double weight(double x) const;
   };
   struct Rigid;
 

@@ -75,7 +75,10 @@ double SectionShift::per_volume(VolumeMeasure measure) const {
       return 1.0 / (length * dimension(project_.beam, "beam", "Cb") *
                     dimension(project_.draft, "draft", "Cb"));
     case VolumeMeasure::kPrismatic:
-      return 1.0 / (length * dimension(midship_area_, "Lpp", "Cp"));
+      if (midship_area_ > 0.0) return 1.0 / (length * midship_area_);
+      throw std::invalid_argument(
+          "The hull has no area under water at half the Lpp, which Cp stands on: correct the Lpp, "
+          "or give Cb.");
   }
   return 1.0;
 }

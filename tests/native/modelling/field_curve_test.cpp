@@ -201,6 +201,72 @@ TEST(CurveChange, OfACurveThatStaysIsNothing) {
   }
 }
 
+// Arcs from one number up to another of a curve of straight or bent arcs.
+std::vector<FieldCurve::Arc> some_arcs(bool bent, int from, int to) {
+  std::vector<FieldCurve::Arc> arcs;
+  const auto at = [&](double x) { return Vector3d(x, bent ? 0.1 * x * x : 0.0, 0.0); };
+  for (int i = from; i < to; ++i) {
+    const double third = 1.0 / 3.0;
+    // The parabola in Bézier points: the inner ones are a third along the ends' tangents.
+    const Vector3d slope(third, bent ? third * 0.2 * i : 0.0, 0.0);
+    const Vector3d slope_after(third, bent ? third * 0.2 * (i + 1) : 0.0, 0.0);
+    arcs.push_back({at(i), at(i) + slope, at(i + 1) - slope_after, at(i + 1)});
+  }
+  return arcs;
+}
+
+void expect_onto(const CurveChange& change, const FieldCurve& other) {
+  const FieldCurve& curve = change.curve();
+  const double length = curve.length(), h = 1e-6;
+  EXPECT_NEAR(change.mapped(0.0).value, 0.0, 1e-12);
+  EXPECT_NEAR(change.mapped(length).value, other.length(), 1e-12);
+  for (int i = 0; i <= 200; ++i) {
+    const double at = length * (i / 200.0);
+    const ValueAlong<double> mapped = change.mapped(at);
+    EXPECT_GT(mapped.slope, 0.0) << at;
+    EXPECT_LT((curve.point_at(at) + change.shift(at).value - other.point_at(mapped.value)).norm(),
+              1e-12)
+        << at;
+    if (i == 0 || i == 200) continue;
+    EXPECT_NEAR(mapped.slope, (change.mapped(at + h).value - change.mapped(at - h).value) / (2 * h),
+                1e-6);
+  }
+}
+
+TEST(CurveChange, OfACurveThatGoesOnOrEndsSoonerTakesAllOfIt) {
+  for (bool bent : {false, true}) {
+    const FieldCurve all(some_arcs(bent, 0, 6)), first(some_arcs(bent, 0, 4)),
+        last(some_arcs(bent, 3, 6));
+    for (const FieldCurve* part : {&first, &last}) {
+      const Vector3d kept = part == &first ? Vector3d(0.0, 0.0, 0.0) : all.point_at(all.length());
+      for (const CurveChange& change : {CurveChange(*part, all), CurveChange(all, *part)}) {
+        const double length = change.curve().length();
+        const double stays = part == &first ? 0.0 : length;
+        EXPECT_EQ(change.curve().point_at(stays), kept);
+        EXPECT_EQ(change.shift(stays).value, Vector3d::Zero());
+        // No kink where the curve begins to move.
+        EXPECT_NEAR(change.mapped(stays).slope, 1.0, 1e-12);
+      }
+      expect_onto(CurveChange(*part, all), all);
+      expect_onto(CurveChange(all, *part), *part);
+    }
+  }
+}
+
+TEST(CurveChange, OfALineWithALoopMoreTakesAllOfIt) {
+  const std::vector<Vector3d> straight{{0, 0, 0}, {4, 0, 0}, {8, 0, 0}};
+  std::vector<Vector3d> looped = straight;
+  looped.insert(looped.begin() + 2, {{5, 1, 0}, {4, 2, 0}, {3, 1, 0}, {4, 0, 0}});
+  const FieldCurve line = FieldCurve::through(straight, {1}),
+                   loop = FieldCurve::through(looped, {1, 5});
+  for (const CurveChange& change : {CurveChange(line, loop), CurveChange(loop, line)}) {
+    EXPECT_EQ(change.shift(0.0).value, Vector3d::Zero());
+    EXPECT_EQ(change.shift(change.curve().length()).value, Vector3d::Zero());
+  }
+  expect_onto(CurveChange(line, loop), loop);
+  expect_onto(CurveChange(loop, line), line);
+}
+
 TEST(CurveChange, EndsMayMove) {
   const FieldCurve curve = FieldCurve::through({{0, 0, 0}, {4, 0, 0}}),
                    other = FieldCurve::through({{0, 0, 0}, {4, 1, 0}});

@@ -80,7 +80,9 @@ def _distance(surface, moves, fields, number, crease):
     """Of a crease, after moves {point: (3,)}, from the curve that it is to become, at most."""
     hull_native = native.require()
     t, points, shifts = _wanted(crease, fields, _LOOKED)
-    own = np.array([moves.get(point, np.zeros(3)) for point in crease.vertices.tolist()])
+    # A corner where the crease both begins and ends is one control point.
+    vertices = dict.fromkeys(crease.vertices.tolist())
+    own = np.array([moves.get(point, np.zeros(3)) for point in vertices])
     now = points + hull_native.crease_shifts(surface, number, t, own)
     if crease.closed:
         points, shifts = points[:-1], shifts[:-1]
