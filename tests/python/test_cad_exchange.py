@@ -130,6 +130,17 @@ def test_options_that_are_wrong_are_named(tmp_path):
     ):
         with pytest.raises(ValueError, match=said):
             hn.write_step(surface, path, **options)
+    for knots, said in (
+        ([0, 0, np.nan, 1, 1], "a knot is not finite"),
+        ([0, 0, 0.5, 1, np.inf], "a knot is not finite"),
+        ([0, 1, 1, 1, 2], "its parameters have no range"),
+        ([0, 0, 0.5, 0.5, 1, 1], "the knot 0.5"),
+        ([0, 0, 0, 0.5, 1, 1], "the knot 0.0"),
+    ):
+        points = [[float(i), 0.0, 0.0] for i in range(len(knots) - 2)]
+        for write, file in FORMATS:
+            with pytest.raises(ValueError, match=f'curve "bilge": {said}'):
+                write(surface, tmp_path / file, curves=[("bilge", "b", knots, points)])
     with pytest.raises(OSError, match="there is no folder"):
         hn.write_step(surface, tmp_path / "none" / "ship.step")
     assert list(tmp_path.iterdir()) == []
