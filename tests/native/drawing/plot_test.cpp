@@ -294,6 +294,10 @@ TEST(Plot, RefusesWhatCannotBeDrawn) {
   refused([](Plot& plot) { plot.areas[0].curve = -1; });
   refused([](Plot& plot) { plot.bars = {{0.0, "bar"}}; });
   refused([](Plot& plot) { plot.y_axis.range = PlotRange{1.0, 1.0}; });
+  // Steps of these would be so many from zero that one more is the same number.
+  refused([](Plot& plot) { plot.y_axis.range = PlotRange{1.0, 1.0 + 1e-15}; });
+  refused([](Plot& plot) { plot.x_axes[0].range = PlotRange{-1e9, -1e9 + 0.5}; });
+  refused([](Plot& plot) { plot.y_axis.range = PlotRange{0.0, 1e-300}; });
   EXPECT_THROW(lay_out_plot(righting_levers(), {40.0, 75.0, 3.0}), std::invalid_argument);
   EXPECT_THROW(lay_out_plot(righting_levers(), {kNan, 75.0, 3.0}), std::invalid_argument);
   EXPECT_THROW(write_plot(righting_levers(), "plot.dwg"), std::invalid_argument);
