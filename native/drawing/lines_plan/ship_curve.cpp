@@ -73,7 +73,8 @@ std::vector<ShipCurve> part_of_curve(const ShipCurve& curve, int axis, double li
     parts.push_back({std::move(points), std::nullopt});
   }
   if (!curve.spline) return parts;
-  if (parts.size() == 1 && parts.front().points.size() == curve.points.size()) {
+  // By all points: their number alone stays the same where a crossing replaces an end.
+  if (parts.size() == 1 && parts.front().points == curve.points) {
     parts.front().spline = curve.spline;
     return parts;
   }
