@@ -172,6 +172,15 @@ TEST(Plot, ShadedAreaIsThatUnderTheCurve) {
   EXPECT_NEAR(0.5 * std::abs(twice), (24750.0 - 5.0) * std::abs(unit.x() * unit.y()), 1e-6 * twice);
 }
 
+TEST(Plot, AreasMayBeGivenFromTheirEnd) {
+  Plot plot = empty_plot();
+  plot.curves = {sampled("parabola", 0.0, 60.0, [](double x) { return x * (60.0 - x); })};
+  plot.areas = {{0, 15.0, 45.0, "area"}, {0, 45.0, 15.0, "area"}};
+  const PlotSheet sheet = lay_out_plot(plot, kPaper);
+  ASSERT_EQ(sheet.areas.size(), 2u);
+  EXPECT_EQ(sheet.areas[0].points, sheet.areas[1].points);
+}
+
 TEST(Plot, LayoutOfManyScales) {
   for (int count : {1, 2, 5, 9}) {
     for (const PlotPage& page : {kPaper, kCard, PlotPage{420.0, 297.0, 12.0}}) {
