@@ -6,6 +6,7 @@
 #include <random>
 #include <stdexcept>
 
+#include "drawing/paper/pens.h"
 #include "drawing/paper/text_meter.h"
 #include "drawing/plots/plot_layout.h"
 #include "drawing/plots/plot_scale.h"
@@ -179,6 +180,30 @@ TEST(Plot, AreasMayBeGivenFromTheirEnd) {
   const PlotSheet sheet = lay_out_plot(plot, kPaper);
   ASSERT_EQ(sheet.areas.size(), 2u);
   EXPECT_EQ(sheet.areas[0].points, sheet.areas[1].points);
+}
+
+// Texts around dots that leave little room are led to along diagonals, too.
+TEST(Plot, LeadersRunInAllDirections) {
+  Plot plot = empty_plot();
+  plot.x_axes[0].range = PlotRange{0.0, 100.0};
+  plot.y_axis.range = PlotRange{0.0, 100.0};
+  for (int i = 0; i < 4; ++i) {
+    for (int j = 0; j < 3; ++j) plot.markers.push_back({48.0 + i, 48.0 + 1.5 * j, "mark"});
+  }
+  const PlotSheet sheet = lay_out_plot(plot, kPaper);
+  expect_good_layout(sheet, kPaper);
+  int diagonal = 0;
+  for (const Stroke& stroke : sheet.strokes) {
+    if (!(stroke.pen == pens::kLeader)) continue;
+    const Eigen::Vector2d way = (stroke.points[1] - stroke.points[0]).cwiseAbs();
+    diagonal += way.minCoeff() > 0.5;
+    // Outside the dots.
+    for (const PlotMarker& marker : plot.markers) {
+      const Eigen::Vector2d dot = sheet.frame.to_page(0, marker.x, marker.y);
+      EXPECT_GT((stroke.points[0] - dot).norm(), 0.8);
+    }
+  }
+  EXPECT_GT(diagonal, 0);
 }
 
 TEST(Plot, LayoutOfManyScales) {
