@@ -162,8 +162,8 @@ Unlabelled draw_marks(SheetBuilder& builder, const Plot& plot, const PlotFrame& 
     const PlotLine& line = plot.lines[i];
     const AxisScale& scale = line.vertical ? frame.x_axes[0] : frame.y_axis;
     if (line.at < scale.low || line.at > scale.high) {
-      // Out of sight, but not unknown.
-      without.lines.insert(i);
+      // Out of sight, but not unknown where it has a name.
+      if (!line.label.empty()) without.lines.insert(i);
       continue;
     }
     const Vector2d &low = frame.area.min(), &high = frame.area.max();

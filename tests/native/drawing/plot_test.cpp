@@ -206,6 +206,18 @@ TEST(Plot, LeadersRunInAllDirections) {
   EXPECT_GT(diagonal, 0);
 }
 
+TEST(Plot, LinesOutOfSightAreInTheLegendByTheirNames) {
+  // Without a legend.
+  Plot plot = empty_plot();
+  plot.x_axes[0].range = PlotRange{0.0, 90.0};
+  plot.curves = {sampled("GZ", 0.0, 90.0, [](double x) { return std::sin(x * 0.04); })};
+  const double bottom = lay_out_plot(plot, kPaper).frame.area.max().y();
+  plot.lines = {{1000.0, true, ""}};
+  EXPECT_EQ(lay_out_plot(plot, kPaper).frame.area.max().y(), bottom);
+  plot.lines.back().label = "far away";
+  EXPECT_TRUE(has_label(lay_out_plot(plot, kPaper), "far away"));
+}
+
 TEST(Plot, LayoutOfManyScales) {
   for (int count : {1, 2, 5, 9}) {
     for (const PlotPage& page : {kPaper, kCard, PlotPage{420.0, 297.0, 12.0}}) {
