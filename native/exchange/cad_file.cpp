@@ -9,6 +9,7 @@
 
 #include "conversion/patches/control_faces.h"
 #include "conversion/place_error.h"
+#include "exchange/cad_model.h"
 #include "exchange/occt_geometry.h"
 #include "exchange/occt_session.h"
 #include "exchange/regions.h"
@@ -163,6 +164,8 @@ class FileWriter {
       action();
     } catch (const Standard_Failure& failure) {
       throw files::FileError("Open CASCADE could not make \"" + path_ + "\": " + describe(failure));
+    } catch (const NoCadText& failure) {
+      throw files::FileError("Open CASCADE could not make \"" + path_ + "\": " + failure.what());
     }
   }
 
