@@ -110,7 +110,8 @@ class IgesText {
     add(edge, 0.5, 0.5);
     const Entity entity = entity_of(edge);
     if (entity.IsNull()) return;
-    put_on_level(entity, curve.layer);
+    // A level without a name would be read by its number; on level 0 is what has none.
+    if (!curve.layer.empty()) put_on_level(entity, curve.layer);
     set_name(entity, curve.name);
   }
 

@@ -97,6 +97,20 @@ def test_files_have_sections_and_knuckles(tmp_path):
         assert len(curves) < both["curves"] < 2 * len(curves)
 
 
+def test_names_are_held_as_files_can(tmp_path):
+    """Control characters become blanks, as in the product's name; curves need no layer."""
+    _, surface = surface_of("barge.hull.json")
+    patches = hn.exact_patches(surface)
+    regions = ["flat\nside" if i % 2 else "a\tb\x7f" for i in range(patches.patch_count)]
+    colours = {"flat\nside": (1.0, 0.0, 0.0)}
+    line = [0, 0, 1, 1], [[0.0, 0.0, 0.0], [9.0, 0.0, 0.0]]
+    curves = [("base\n", "li\nnes", *line), ("other", "", *line), ("third", " x ", *line)]
+    for write, file in FORMATS:
+        report = write(patches, tmp_path / file, regions=regions, colours=colours, curves=curves)
+        assert {region["name"] for region in report["regions"]} == {"flat side", "a b "}
+        assert report["curves"] == 3 and {"li nes", " x "} <= set(report["layers"])
+
+
 def test_cancelling_leaves_the_old_file(tmp_path):
     _, surface = surface_of("barge.hull.json")
     for write, file in FORMATS:
