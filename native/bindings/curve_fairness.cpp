@@ -10,6 +10,7 @@
 #include <string>
 
 #include "bindings/arrays.h"
+#include "bindings/casts.h"
 #include "bindings/planes.h"
 
 namespace hull::bindings {
@@ -97,7 +98,8 @@ GivenSections curves_from(const py::list& sections, std::size_t planes) {
   GivenSections given{std::vector<std::vector<const analysis::SectionCurve*>>(planes), {}};
   for (std::size_t i = 0; i < planes; ++i) {
     for (const py::handle curve : sections[i]) {
-      given.curves[i].push_back(&curve.cast<const analysis::SectionCurve&>());
+      given.curves[i].push_back(&cast_or_refuse<const analysis::SectionCurve&>(
+          curve, "sections[" + std::to_string(i) + "] must be SectionCurves."));
       given.kept.push_back(py::reinterpret_borrow<py::object>(curve));
     }
   }

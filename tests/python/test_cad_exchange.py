@@ -140,6 +140,14 @@ def test_options_that_are_wrong_are_named(tmp_path):
         ({"colours": {"shell": (1.0, 2.0, 0.0)}}, "shell"),
         ({"colours": {"shell": ()}}, "shell"),
         ({"curves": [("a", "b")]}, "curve"),
+        ({"regions": [1]}, "regions must be a list of names"),
+        ({"colours": {1: (0.0, 0.0, 0.0)}}, "colours must be a dict"),
+        ({"colours": {"shell": "red"}}, "shell"),
+        ({"curves": [("a", "b", 1)]}, "A curve must be"),
+        (
+            {"curves": [("a", 1, [0, 0, 1, 1], [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0]])]},
+            "A curve must be",
+        ),
         ({"curves": [("bilge", "b", [0, 1], [[0.0, 0.0, 0.0]])]}, "bilge"),
     ):
         with pytest.raises(ValueError, match=said):
@@ -155,6 +163,9 @@ def test_options_that_are_wrong_are_named(tmp_path):
         for write, file in FORMATS:
             with pytest.raises(ValueError, match=f'curve "bilge": {said}'):
                 write(surface, tmp_path / file, curves=[("bilge", "b", knots, points)])
+    for options in ({"colours": [1]}, {"curves": [1]}):
+        with pytest.raises(TypeError):
+            hn.write_step(surface, path, **options)
     with pytest.raises(OSError, match="there is no folder"):
         hn.write_step(surface, tmp_path / "none" / "ship.step")
     assert list(tmp_path.iterdir()) == []
