@@ -344,6 +344,8 @@ TEST(Plot, RefusesWhatCannotBeDrawn) {
   refused([](Plot& plot) { plot.y_axis.range = PlotRange{1.0, 1.0 + 1e-15}; });
   refused([](Plot& plot) { plot.x_axes[0].range = PlotRange{-1e9, -1e9 + 0.5}; });
   refused([](Plot& plot) { plot.y_axis.range = PlotRange{0.0, 1e-300}; });
+  // Heads that leave no room for a frame.
+  refused([](Plot& plot) { plot.subtitles.resize(60, "subtitle"); });
   EXPECT_THROW(lay_out_plot(righting_levers(), {40.0, 75.0, 3.0}), std::invalid_argument);
   EXPECT_THROW(lay_out_plot(righting_levers(), {kNan, 75.0, 3.0}), std::invalid_argument);
   EXPECT_THROW(write_plot(righting_levers(), "plot.dwg"), std::invalid_argument);
