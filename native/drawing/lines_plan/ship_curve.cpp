@@ -85,4 +85,12 @@ std::vector<ShipCurve> part_of_curve(const ShipCurve& curve, int axis, double li
   return parts;
 }
 
+std::vector<ShipCurve> parts_off_centre(const ShipCurve& curve, double least) {
+  std::vector<ShipCurve> parts = part_of_curve(curve, 1, least, LimitSide::kAbove);
+  // As many points: at most an end was cut off, for which its crossing makes up.
+  const bool is_whole = parts.size() == 1 && parts.front().points.size() == curve.points.size();
+  if (is_whole) parts.front().spline = curve.spline;
+  return parts;
+}
+
 }  // namespace hull::drawing

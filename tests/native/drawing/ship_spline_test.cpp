@@ -112,5 +112,24 @@ TEST(ShipSpline, PartsEndAtTheLimitThoughOnlyAnEndIsBeyond) {
   EXPECT_EQ(whole[0].spline->points(), spline.points());
 }
 
+TEST(ShipSpline, CurvesThatEndInTheCentrePlaneMeetItInFiles) {
+  std::mt19937 random(15);
+  const surface::CubicSpline spline = random_spline(random);
+  ShipCurve curve{{}, spline};
+  for (int i = 0; i <= 40; ++i) {
+    const double t = spline.begin() + (spline.end() - spline.begin()) * i / 40.0;
+    const Vector3d p = spline.evaluate(std::min(t, spline.end()), 0).point;
+    curve.points.emplace_back(p.y(), i, p.z());
+  }
+  // Nearer by its first point, and by the first two.
+  for (const double least : {0.5, 1.5}) {
+    const std::vector<ShipCurve> parts = parts_off_centre(curve, least);
+    ASSERT_EQ(parts.size(), 1u);
+    EXPECT_EQ(parts[0].points.front().y(), least);
+    const bool is_whole = parts[0].spline && parts[0].spline->points() == spline.points();
+    EXPECT_EQ(is_whole, least < 1.0);
+  }
+}
+
 }  // namespace
 }  // namespace hull::drawing
