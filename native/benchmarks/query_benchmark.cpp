@@ -3,6 +3,9 @@
 // query. For comparison, the nearest of samples by trying each, which is not exact.
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <random>
 
 #include "benchmarks/half_hull.h"

@@ -59,12 +59,15 @@ void BM_GridBfr(benchmark::State& state) {
       for (int corner = 0; corner < mesh.face_sizes[face]; ++corner) {
         double at[2];
         parameters.GetVertexCoord(corner, at);
+        // A quadrilateral is the unit square; of other faces each corner is the origin of its own.
+        const bool is_quad = mesh.face_sizes[face] == 4;
+        const double along_u = is_quad && at[0] > 0.5 ? -1.0 : 1.0;
+        const double along_v = is_quad && at[1] > 0.5 ? -1.0 : 1.0;
         for (int j = 0; j <= kGrid; ++j) {
           for (int i = 0; i <= kGrid; ++i) {
             // Half the face's side from the corner inwards.
             const double s = 0.5 * i / kGrid, t = 0.5 * j / kGrid;
-            const double uv[2] = {at[0] + (at[0] - std::floor(at[0]) > 0.5 ? -s : s),
-                                  at[1] + (at[1] - std::floor(at[1]) > 0.5 ? -t : t)};
+            const double uv[2] = {at[0] + along_u * s, at[1] + along_v * t};
             surfaces.evaluate(face, uv, order, out);
             benchmark::DoNotOptimize(out);
             ++count;

@@ -45,8 +45,13 @@ std::vector<int> whole_numbers(const py::array& array, const char* name) {
   std::vector<int> values(static_cast<std::size_t>(wide.size()));
   const std::int64_t* data = wide.data();
   for (std::size_t i = 0; i < values.size(); ++i) {
-    if (data[i] < std::numeric_limits<int>::min() || data[i] > std::numeric_limits<int>::max()) {
-      throw std::invalid_argument(std::string(name) + " holds " + std::to_string(data[i]) +
+    // What 64 bits with a sign can't hold wraps to below zero.
+    const bool wrapped = kind == 'u' && data[i] < 0;
+    if (wrapped || data[i] < std::numeric_limits<int>::min() ||
+        data[i] > std::numeric_limits<int>::max()) {
+      const std::string number =
+          wrapped ? std::to_string(static_cast<std::uint64_t>(data[i])) : std::to_string(data[i]);
+      throw std::invalid_argument(std::string(name) + " holds " + number +
                                   ", which is out of range.");
     }
     values[i] = static_cast<int>(data[i]);

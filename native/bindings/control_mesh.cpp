@@ -112,8 +112,10 @@ void bind_control_mesh(py::module_& module) {
       "Everything wrong with a control mesh, errors first, as a list of MeshProblem. The arguments "
       "are those of ControlMesh.");
 
-  py::class_<mesh::ControlMesh>(module, "ControlMesh",
-                                "A valid control mesh with its creases and corners. Immutable.")
+  py::class_<mesh::ControlMesh>(
+      module, "ControlMesh",
+      "A valid control mesh with its creases and corners. Immutable, but that of a surface, "
+      "LimitSurface.mesh, follows its set_points().")
       .def(py::init([](const DoubleArray& points, const py::object& sizes,
                        const py::object& vertices, const std::optional<py::object>& creases,
                        const std::optional<py::object>& corners, bool round_border_corners) {

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "bindings/arrays.h"
+#include "bindings/casts.h"
 #include "bindings/planes.h"
 
 namespace hull::bindings {
@@ -82,20 +83,27 @@ py::array_t<double> comb_of(const analysis::CurveFairness& curve, double scale) 
   return array;
 }
 
-// Lists of SectionCurve, one for each plane; they must outlive what is returned.
-std::vector<std::vector<const analysis::SectionCurve*>> curves_from(const py::list& sections,
-                                                                    std::size_t planes) {
+struct GivenSections {
+  std::vector<std::vector<const analysis::SectionCurve*>> curves;
+  std::vector<py::object> kept;  // whose they are
+};
+
+// Iterables of SectionCurve, one for each plane. The curves are kept: an iterator has no other
+// holder of them, and lists may change while the lock is released.
+GivenSections curves_from(const py::list& sections, std::size_t planes) {
   if (sections.size() != planes) {
     throw std::invalid_argument("Give as many sections as planes, " + std::to_string(planes) +
                                 ", not " + std::to_string(sections.size()) + ".");
   }
-  std::vector<std::vector<const analysis::SectionCurve*>> curves(planes);
+  GivenSections given{std::vector<std::vector<const analysis::SectionCurve*>>(planes), {}};
   for (std::size_t i = 0; i < planes; ++i) {
     for (const py::handle curve : sections[i]) {
-      curves[i].push_back(&curve.cast<const analysis::SectionCurve&>());
+      given.curves[i].push_back(&cast_or_refuse<const analysis::SectionCurve&>(
+          curve, "sections[" + std::to_string(i) + "] must be SectionCurves."));
+      given.kept.push_back(py::reinterpret_borrow<py::object>(curve));
     }
   }
-  return curves;
+  return given;
 }
 
 void bind_marks(py::module_& module) {
@@ -180,9 +188,9 @@ void bind_curve_fairness(py::module_& module) {
          const std::optional<py::list>& sections) {
         const std::vector<analysis::Plane> wanted = planes_from(planes);
         if (sections) {
-          const auto curves = curves_from(*sections, wanted.size());
+          const GivenSections given = curves_from(*sections, wanted.size());
           const py::gil_scoped_release release;
-          return analysis::section_fairness(surface, wanted, curves,
+          return analysis::section_fairness(surface, wanted, given.curves,
                                             {step, count, noise, relative_noise, marks});
         }
         const analysis::SectionOptions sampling{

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <filesystem>
 #include <optional>
 #include <stdexcept>
@@ -100,6 +101,16 @@ int layer_of(dxf::DxfDrawing& drawing, const std::string& name) {
   return count;
 }
 
+void check_finite(const dxf::DxfSpaceSpline& spline) {
+  const auto is_finite = [](const auto& point) { return point.allFinite(); };
+  if (std::all_of(spline.points.begin(), spline.points.end(), is_finite) &&
+      std::all_of(spline.knots.begin(), spline.knots.end(),
+                  [](double k) { return std::isfinite(k); })) {
+    return;
+  }
+  throw std::invalid_argument("A curve has knots or control points that are not finite.");
+}
+
 dxf::DxfDrawing drawing_of(const std::vector<SpaceCurve>& curves, dxf::DxfUnit unit) {
   if (curves.empty()) throw std::invalid_argument("There is no curve to be written.");
   dxf::DxfDrawing drawing;
@@ -108,6 +119,7 @@ dxf::DxfDrawing drawing_of(const std::vector<SpaceCurve>& curves, dxf::DxfUnit u
   for (const auto& [layer, knots, points] : curves) {
     dxf::DxfSpaceSpline spline{layer_of(drawing, layer), points_from(points, "control points"),
                                numbers_from(knots, "knots")};
+    check_finite(spline);
     const bool rises = std::is_sorted(spline.knots.begin(), spline.knots.end());
     if (spline.points.size() < 4 || spline.knots.size() != spline.points.size() + 4 || !rises) {
       throw std::invalid_argument(

@@ -11,6 +11,7 @@
 
 #include "bindings/arrays.h"
 #include "bindings/cad_geometry.h"
+#include "bindings/casts.h"
 #include "bindings/companion_module.h"
 #include "bindings/progress.h"
 #include "bindings/unmade_instances.h"
@@ -85,23 +86,27 @@ exchange::StepSchema schema_from(const std::string& name) {
 }
 
 analysis::Colour colour_from(const std::string& region, const py::handle& value) {
-  const auto numbers = value.cast<std::vector<double>>();
+  const std::string words =
+      "colours[\"" + region + "\"] must be three numbers from 0 to 1: red, green, blue.";
+  const auto numbers = cast_or_refuse<std::vector<double>>(value, words);
   for (double number : numbers) {
     if (numbers.size() == 3 && number >= 0.0 && number <= 1.0) continue;
-    throw std::invalid_argument("colours[\"" + region +
-                                "\"] must be three numbers from 0 to 1: red, green, blue.");
+    throw std::invalid_argument(words);
   }
   if (numbers.empty()) throw std::invalid_argument("colours[\"" + region + "\"] is empty.");
   return {numbers[0], numbers[1], numbers[2]};
 }
 
 exchange::CadCurve curve_from(const py::handle& value) {
+  const std::string words =
+      "A curve must be (name, layer, spline) or (name, layer, knots, control_points).";
   const auto parts = value.cast<py::tuple>();
-  if (parts.size() != 3 && parts.size() != 4) {
-    throw std::invalid_argument(
-        "A curve must be (name, layer, spline) or (name, layer, knots, control_points).");
-  }
-  exchange::CadCurve curve{parts[0].cast<std::string>(), parts[1].cast<std::string>(), {}};
+  const bool is_spline = parts.size() == 3 && py::hasattr(parts[2], "knots") &&
+                         py::hasattr(parts[2], "control_points");
+  if (!is_spline && parts.size() != 4) throw std::invalid_argument(words);
+  exchange::CadCurve curve{cast_or_refuse<std::string>(parts[0], words),
+                           cast_or_refuse<std::string>(parts[1], words),
+                           {}};
   const py::object knots = parts.size() == 4 ? py::object(parts[2]) : parts[2].attr("knots");
   const py::object points =
       parts.size() == 4 ? py::object(parts[3]) : parts[2].attr("control_points");
@@ -130,11 +135,13 @@ exchange::CadOptions options_from(const Arguments& arguments, const std::string&
   options.mirrored = arguments.mirrored;
   options.solid = arguments.solid;
   if (!arguments.regions.is_none()) {
-    options.regions = arguments.regions.cast<std::vector<std::string>>();
+    options.regions = cast_or_refuse<std::vector<std::string>>(
+        arguments.regions, "regions must be a list of names, one for each patch.");
   }
   if (!arguments.colours.is_none()) {
+    const std::string words = "colours must be a dict of the names of regions to (r, g, b).";
     for (const auto& [region, colour] : arguments.colours.cast<py::dict>()) {
-      const auto text = region.cast<std::string>();
+      const auto text = cast_or_refuse<std::string>(region, words);
       options.colours[text] = colour_from(text, colour);
     }
   }

@@ -100,6 +100,10 @@ using FloatArray = py::array_t<float, py::array::c_style | py::array::forcecast>
 drawing::ValuedTriangles valued_from(const DoubleArray& points, const FloatArray& values,
                                      const py::object& triangles) {
   drawing::ValuedTriangles given{points_from(points, "points"), {}, 0, {}};
+  for (std::size_t i = 0; i < given.points.size(); ++i) {
+    if (given.points[i].allFinite()) continue;
+    throw std::invalid_argument("points[" + std::to_string(i) + "] is not finite.");
+  }
   if (values.ndim() != 2 || values.shape(0) != static_cast<py::ssize_t>(given.points.size())) {
     throw std::invalid_argument("values must have shape (n, k), a row for each point.");
   }

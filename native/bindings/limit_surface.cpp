@@ -152,7 +152,11 @@ void bind_limit_surface(py::module_& module) {
            py::arg("mesh"), py::arg("scheme") = "biermann",
            "scheme: \"biermann\" (tangent planes at creases) or \"catmull_clark\" (as Blender's "
            "Subdivision Surface modifier).")
-      .def_property_readonly("mesh", &surface::LimitSurface::mesh)
+      // No copy: it is asked for with every move of a point.
+      .def_property_readonly("mesh", &surface::LimitSurface::mesh,
+                             "The surface's own: after set_points() it has the points then set, "
+                             "also where it was asked for before. mesh.with_points(mesh.points) "
+                             "keeps those of now.")
       .def_property_readonly("scheme",
                              [](const surface::LimitSurface& s) {
                                return s.scheme() == surface::Scheme::kBiermann ? "biermann"

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "bindings/arrays.h"
+#include "bindings/casts.h"
 #include "bindings/planes.h"
 #include "bindings/production_classes.h"
 #include "bindings/progress.h"
@@ -88,7 +89,9 @@ void bind_model_parts(py::module_& module) {
       "hollowed",
       [](const ClosedModel& model, double wall, const py::object& cell,
          const py::object& progress) {
-        const double side = cell.is_none() ? wall : cell.cast<double>();
+        const double side =
+            cell.is_none() ? wall
+                           : cast_or_refuse<double>(cell, "cell must be a length in m, or None.");
         const surface::Progress told = progress_from(progress);
         const py::gil_scoped_release release;
         return production::hollowed(model, wall, side, told);

@@ -9,6 +9,7 @@
 
 #include "analysis/sections/section_splines.h"
 #include "bindings/arrays.h"
+#include "bindings/casts.h"
 #include "bindings/planes.h"
 
 namespace hull::bindings {
@@ -27,7 +28,9 @@ std::vector<analysis::SectionCurve> section_across(const surface::LimitSurface& 
   // Of unit length first, so that the position is in metres whatever length was given.
   const analysis::Plane plane =
       py::isinstance<py::str>(axis)
-          ? analysis::plane_across(axis_from(py::cast<std::string>(axis)), position)
+          ? analysis::plane_across(axis_from(cast_or_refuse<std::string>(
+                                       axis, "An axis is \"x\", \"y\" or \"z\", or a direction.")),
+                                   position)
           : plane_from(point_from(DoubleArray(axis), "axis").normalized(), position, "axis");
   const analysis::SectionOptions options = options_from(surface, chord_tolerance, flat_tolerance);
   const py::gil_scoped_release release;

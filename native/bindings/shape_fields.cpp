@@ -39,6 +39,8 @@ AlongBase<Value> along_from(const py::object& given, const char* name, const Rea
 AlongBase<double> number_along(const py::object& given, const char* name) {
   const auto read = [&](const py::object& value) {
     const std::vector<double> one = numbers_from(DoubleArray(py::make_tuple(value)), name);
+    // An empty list would pass as an array of no numbers.
+    if (one.size() != 1) throw std::invalid_argument(std::string(name) + " must be one number.");
     return one[0];
   };
   return along_from<double>(given, name, read,

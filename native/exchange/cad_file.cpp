@@ -9,6 +9,7 @@
 
 #include "conversion/patches/control_faces.h"
 #include "conversion/place_error.h"
+#include "exchange/cad_model.h"
 #include "exchange/occt_geometry.h"
 #include "exchange/occt_session.h"
 #include "exchange/regions.h"
@@ -34,12 +35,17 @@ std::string of(int have, int want, const std::string& what) {
   return std::to_string(have) + " of " + std::to_string(want) + " " + what;
 }
 
-std::vector<CadRegion> regions_of(const CadModel& model) {
+// What a file can hold of a name: controls have become blanks.
+std::string held(const std::string& name) { return decode_step_string(encode_step_string(name)); }
+
+std::vector<CadRegion> regions_of(const CadModel& model, const CadOptions& options) {
   // By name, as the report has them: the two are compared one by one.
   std::map<std::string, CadRegion> regions;
   for (const std::string& name : model.regions) {
-    regions[name].name = name;
-    ++regions[name].faces;
+    CadRegion& region = regions[held(name)];
+    region.name = held(name);
+    region.colour = colour_of(name, options);
+    ++region.faces;
   }
   std::vector<CadRegion> result;
   for (auto& [name, region] : regions) result.push_back(std::move(region));
@@ -55,7 +61,7 @@ bool is_same(const analysis::Colour& one, const analysis::Colour& two) {
 
 std::string layer_difference(const CadModel& model, const CadOptions& options,
                              const CadReport& found) {
-  const std::vector<CadRegion> meant = regions_of(model);
+  const std::vector<CadRegion> meant = regions_of(model, options);
   if (found.regions.size() != meant.size()) {
     return of(static_cast<int>(found.regions.size()), static_cast<int>(meant.size()), "regions");
   }
@@ -64,13 +70,13 @@ std::string layer_difference(const CadModel& model, const CadOptions& options,
     const std::string where = "in the region \"" + meant[i].name + "\"";
     if (region.name != meant[i].name) return "no region \"" + meant[i].name + "\"";
     if (region.faces != meant[i].faces) return of(region.faces, meant[i].faces, "faces " + where);
-    if (!region.colour || !is_same(*region.colour, colour_of(meant[i].name, options))) {
+    if (!region.colour || !is_same(*region.colour, *meant[i].colour)) {
       return "another colour " + where;
     }
   }
   for (const CadCurve& curve : model.curves) {
-    // The report sorts its layers.
-    if (!std::ranges::binary_search(found.layers, curve.layer)) {
+    // What has no layer is on none by that name. The report sorts its layers.
+    if (!curve.layer.empty() && !std::ranges::binary_search(found.layers, held(curve.layer))) {
       return "no layer \"" + curve.layer + "\"";
     }
   }
@@ -110,8 +116,7 @@ std::string difference(const CadModel& model, const CadOptions& options, const C
   const int curves = static_cast<int>(model.curves.size());
   if (found.curves != curves) return of(found.curves, curves, "curves");
   if (found.unit != name_of(options.unit)) return "another unit of length";
-  // What a file can hold of the name: controls have become blanks.
-  if (found.product != decode_step_string(encode_step_string(options.name))) {
+  if (found.product != held(options.name)) {
     return "the name \"" + found.product + "\"";
   }
   return layer_difference(model, options, found);
@@ -163,6 +168,8 @@ class FileWriter {
       action();
     } catch (const Standard_Failure& failure) {
       throw files::FileError("Open CASCADE could not make \"" + path_ + "\": " + describe(failure));
+    } catch (const NoCadText& failure) {
+      throw files::FileError("Open CASCADE could not make \"" + path_ + "\": " + failure.what());
     }
   }
 

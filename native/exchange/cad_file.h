@@ -2,15 +2,25 @@
 #pragma once
 
 #include <functional>
+#include <stdexcept>
 #include <string>
 
 #include "conversion/patches/patch_set.h"
-#include "exchange/cad_model.h"
+#include "exchange/cad_options.h"
 #include "exchange/cad_report.h"
 
 namespace hull::exchange {
 
-// Makes the text of a file; it may call the progress with shares of its own from 0 to 1.
+struct CadModel;
+
+// Why a text could not be made; write_cad_file() names the file.
+class NoCadText : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+// Makes the text of a file, or throws NoCadText; it may call the progress with shares of its own
+// from 0 to 1.
 using CadText = std::function<std::string(const CadModel&, const CadOptions&,
                                           const surface::Progress& progress)>;
 

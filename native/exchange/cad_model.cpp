@@ -70,6 +70,31 @@ std::vector<std::string> regions_of(const conversion::PatchSet& all,
   return regions;
 }
 
+template <class Refuse>
+void check_knots(const conversion::BSplineCurve& c, const Refuse& refuse) {
+  // Before they are sorted, as what is no number is in any order.
+  if (!std::ranges::all_of(c.knots, [](double knot) { return std::isfinite(knot); })) {
+    refuse("a knot is not finite.");
+  }
+  // Not strictly: knots may be repeated.
+  if (!std::ranges::is_sorted(c.knots) || !(c.knots.back() > c.knots.front())) {
+    refuse("knots must ascend.");
+  }
+  // The curve is defined between these.
+  const double begin = c.knots[c.degree], end = c.knots[c.points.size()];
+  if (!(begin < end)) {
+    refuse("its parameters have no range: the knots after the first and before the last " +
+           std::to_string(c.degree) + " are all equal.");
+  }
+  for (std::size_t i = 0; i < c.knots.size(); ++i) {
+    const bool is_end = c.knots[i] == begin || c.knots[i] == end;
+    const std::size_t next = i + c.degree + (is_end ? 1 : 0);
+    if (next >= c.knots.size() || c.knots[i] < c.knots[next]) continue;
+    refuse("the knot " + std::to_string(c.knots[i]) +
+           " is there too often: at most as often as the degree, and once more at the ends.");
+  }
+}
+
 void check_curve(const CadCurve& curve) {
   const auto refuse = [&](const std::string& what) {
     throw std::invalid_argument("curve \"" + curve.name + "\": " + what);
@@ -81,10 +106,7 @@ void check_curve(const CadCurve& curve) {
         "there must be degree + 1 knots more than control points, and at least degree + 1 of "
         "these.");
   }
-  // Not strictly: knots may be repeated.
-  if (!std::ranges::is_sorted(c.knots) || !(c.knots.back() > c.knots.front())) {
-    refuse("knots must ascend.");
-  }
+  check_knots(c, refuse);
   if (!std::ranges::all_of(c.points, [](const Vector3d& p) { return p.allFinite(); })) {
     refuse("a control point is not finite.");
   }

@@ -18,6 +18,7 @@
 #include <TopoDS_Face.hxx>
 #include <algorithm>
 #include <filesystem>
+#include <system_error>
 
 #include "exchange/occt_geometry.h"
 #include "exchange/occt_session.h"
@@ -156,7 +157,9 @@ CadReport read_cad_report(const std::string& path, const std::string& name,
     report.format = content.format;
     report.unit = content.unit;
     report.product = content.product;
-    report.bytes = std::filesystem::file_size(path);
+    std::error_code gone;
+    report.bytes = std::filesystem::file_size(path, gone);
+    if (gone) throw files::FileError(refusal + gone.message());
     check(content.shape, report);
     surface::tell(progress, 0.95, 1.0);
     report.solids = count(content.shape, TopAbs_SOLID);

@@ -23,11 +23,11 @@
 #include <utility>
 
 #include "exchange/cad_file.h"
+#include "exchange/cad_model.h"
 #include "exchange/occt_geometry.h"
 #include "exchange/occt_progress.h"
 #include "exchange/regions.h"
 #include "exchange/step/step_text.h"
-#include "files/atomic_file.h"
 
 namespace hull::exchange {
 namespace {
@@ -75,7 +75,7 @@ class IgesText {
     Handle(OcctProgress) indicator = new OcctProgress(progress_, begin, end);
     const bool done = writer_.AddShape(shape, indicator->Start());
     indicator->rethrow();
-    if (!done) throw files::FileError("Open CASCADE could not translate the patches to IGES");
+    if (!done) throw NoCadText("the patches were not translated to IGES");
   }
 
   Entity entity_of(const TopoDS_Shape& shape) const {
@@ -110,7 +110,8 @@ class IgesText {
     add(edge, 0.5, 0.5);
     const Entity entity = entity_of(edge);
     if (entity.IsNull()) return;
-    put_on_level(entity, curve.layer);
+    // A level without a name would be read by its number; on level 0 is what has none.
+    if (!curve.layer.empty()) put_on_level(entity, curve.layer);
     set_name(entity, curve.name);
   }
 
@@ -155,7 +156,7 @@ class IgesText {
     text.FloatWriter().SetFormat("%.16E");
     text.SendModel(IGESSelect_WorkLibrary::DefineProtocol());
     std::ostringstream stream;
-    if (!text.Print(stream)) throw files::FileError("Open CASCADE could not print the IGES file");
+    if (!text.Print(stream)) throw NoCadText("the IGES file was not printed");
     return stream.str();
   }
 

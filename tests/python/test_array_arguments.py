@@ -75,3 +75,10 @@ def test_what_is_no_array_of_real_numbers_is_refused_by_name(taker, wrong):
 def test_other_kinds_of_real_numbers_serve(same):
     mesh = hn.ControlMesh(same(POINTS), [4], [0, 1, 2, 3])
     np.testing.assert_array_equal(mesh.points, POINTS)
+
+
+@pytest.mark.parametrize("number", [2**31, -(2**31) - 1, 2**63, 2**64 - 1])
+def test_whole_numbers_that_32_bits_cannot_hold_are_refused(number):
+    """Of these, 2⁶⁴ - 1 is -1 where bits are taken for those of a number with a sign."""
+    with pytest.raises(ValueError, match=f"holds {number}, which is out of range"):
+        surface().positions(np.array([number]), uv())

@@ -97,6 +97,20 @@ def test_files_have_sections_and_knuckles(tmp_path):
         assert len(curves) < both["curves"] < 2 * len(curves)
 
 
+def test_names_are_held_as_files_can(tmp_path):
+    """Control characters become blanks, as in the product's name; curves need no layer."""
+    _, surface = surface_of("barge.hull.json")
+    patches = hn.exact_patches(surface)
+    regions = ["flat\nside" if i % 2 else "a\tb\x7f" for i in range(patches.patch_count)]
+    colours = {"flat\nside": (1.0, 0.0, 0.0)}
+    line = [0, 0, 1, 1], [[0.0, 0.0, 0.0], [9.0, 0.0, 0.0]]
+    curves = [("base\n", "li\nnes", *line), ("other", "", *line), ("third", " x ", *line)]
+    for write, file in FORMATS:
+        report = write(patches, tmp_path / file, regions=regions, colours=colours, curves=curves)
+        assert {region["name"] for region in report["regions"]} == {"flat side", "a b "}
+        assert report["curves"] == 3 and {"li nes", " x "} <= set(report["layers"])
+
+
 def test_cancelling_leaves_the_old_file(tmp_path):
     _, surface = surface_of("barge.hull.json")
     for write, file in FORMATS:
@@ -126,9 +140,31 @@ def test_options_that_are_wrong_are_named(tmp_path):
         ({"colours": {"shell": (1.0, 2.0, 0.0)}}, "shell"),
         ({"colours": {"shell": ()}}, "shell"),
         ({"curves": [("a", "b")]}, "curve"),
+        ({"regions": [1]}, "regions must be a list of names"),
+        ({"colours": {1: (0.0, 0.0, 0.0)}}, "colours must be a dict"),
+        ({"colours": {"shell": "red"}}, "shell"),
+        ({"curves": [("a", "b", 1)]}, "A curve must be"),
+        (
+            {"curves": [("a", 1, [0, 0, 1, 1], [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0]])]},
+            "A curve must be",
+        ),
         ({"curves": [("bilge", "b", [0, 1], [[0.0, 0.0, 0.0]])]}, "bilge"),
     ):
         with pytest.raises(ValueError, match=said):
+            hn.write_step(surface, path, **options)
+    for knots, said in (
+        ([0, 0, np.nan, 1, 1], "a knot is not finite"),
+        ([0, 0, 0.5, 1, np.inf], "a knot is not finite"),
+        ([0, 1, 1, 1, 2], "its parameters have no range"),
+        ([0, 0, 0.5, 0.5, 1, 1], "the knot 0.5"),
+        ([0, 0, 0, 0.5, 1, 1], "the knot 0.0"),
+    ):
+        points = [[float(i), 0.0, 0.0] for i in range(len(knots) - 2)]
+        for write, file in FORMATS:
+            with pytest.raises(ValueError, match=f'curve "bilge": {said}'):
+                write(surface, tmp_path / file, curves=[("bilge", "b", knots, points)])
+    for options in ({"colours": [1]}, {"curves": [1]}):
+        with pytest.raises(TypeError):
             hn.write_step(surface, path, **options)
     with pytest.raises(OSError, match="there is no folder"):
         hn.write_step(surface, tmp_path / "none" / "ship.step")

@@ -76,6 +76,10 @@ def test_values_of_the_nearest_triangle():
     np.testing.assert_array_equal(seen[:, 2], np.where(x + y <= 20.0, 2.0, 1.0))
     with pytest.raises(ValueError, match="no point"):
         hn.seen_values(corners, values, [(0, 1, 9)], width=5, height=5)
+    for wrong in (np.nan, np.inf):
+        corners[4, 1] = wrong
+        with pytest.raises(ValueError, match=r"points\[4\] is not finite"):
+            hn.seen_values(corners, values, [(0, 1, 2)], width=5, height=5)
 
 
 def test_normals_of_a_ball():

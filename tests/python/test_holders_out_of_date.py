@@ -245,6 +245,13 @@ def test_sections_of_the_surface_as_it_was_are_not_judged():
     planes = [(1.0, 0.0, 0.0, x) for x in (2.2, 4.2, 6.2)]
     cut = hn.sections(surface, planes)
     assert hn.section_fairness(surface, planes, sections=cut)
+    with pytest.raises(ValueError, match=r"sections\[1\] must be SectionCurves"):
+        hn.section_fairness(surface, planes, sections=[cut[0], [1], cut[2]])
+    # Nobody else holds what an iterator gives.
+    fresh = [iter(curves) for curves in hn.sections(surface, planes)]
+    judged = hn.section_fairness(surface, planes, sections=fresh)
+    for own, others in zip(judged, hn.section_fairness(surface, planes, sections=cut)):
+        assert [one.length for one in own] == [other.length for other in others]
     with pytest.raises(ValueError, match="out of date.*Cut it anew"):
         hn.section_fairness(grid_surface(1, 1), planes, sections=cut)
     # Near the middle one alone.

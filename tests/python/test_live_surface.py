@@ -29,6 +29,15 @@ def moved_points(surface, index, by):
     return points
 
 
+def test_the_mesh_of_a_surface_follows_its_points():
+    surface = grid_surface()
+    mesh, before = surface.mesh, surface.mesh.points
+    kept = mesh.with_points(before)
+    surface.set_points(moved_points(surface, 20, (0.1, 0.2, -0.3)))
+    assert (mesh.points[20] - before[20]).tolist() == pytest.approx([0.1, 0.2, -0.3])
+    assert (kept.points == before).all()
+
+
 def test_shown_points_are_those_of_the_tessellation_and_their_images():
     surface = grid_surface()
     shown = hn.ShownPoints(surface, 3, mirrored=True, metres_per_unit=0.5)

@@ -71,6 +71,8 @@ def test_cut_beside_a_model():
 
 def test_cut_through_a_hollow():
     """The ring of the cut is filled around the hollow, and both parts open it."""
+    with pytest.raises(ValueError, match="cell must be a length"):
+        hn.hollowed(cube(), 0.5, "0.25")
     hollow = hn.hollowed(cube(), 0.5, 0.25)
     for axis, at in itertools.product("xyz", (0.03, -0.2)):
         below, above = hn.cut_model(hollow.model, axis, at)

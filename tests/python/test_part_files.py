@@ -223,6 +223,9 @@ def test_curves_refused(tmp_path):
         ([("A B", knots, points)], "layer"),
         ([("A", knots[:-1], points)], "four more knots"),
         ([("A", knots[::-1], points)], "rise"),
+        ([("A", knots, np.where(points == 1.0, np.nan, points))], "not finite"),
+        ([("A", [*knots[:-1], np.inf], points)], "not finite"),
+        ([("A", np.where(knots == 1.0, np.nan, knots), points)], "not finite"),
     ):
         with pytest.raises(ValueError, match=words):
             hn.write_curves_dxf(curves, tmp_path / "a.dxf")

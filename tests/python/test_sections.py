@@ -210,6 +210,9 @@ def test_refusals():
     barge = surface_of(ROOT / "samples" / "barge.hull.json")[2]
     with pytest.raises(ValueError, match="axis"):
         hn.section(barge, "w", 0.0)
+    # Half of a pair of UTF-16 is text in Python alone.
+    with pytest.raises(ValueError, match="An axis is"):
+        hn.section(barge, "\ud800", 0.5)
     with pytest.raises(ValueError, match="axis is no plane"):
         hn.section(barge, [0.0, 0.0, 0.0], 0.0)
     with pytest.raises(ValueError, match=r"\(n, 4\)"):

@@ -136,6 +136,9 @@ def test_what_is_wrong_is_said():
         hn.ShapeFields([at((0, 0, 0), extent=1)]).deltas(1, [(0, 0, 0)])
     with pytest.raises(ValueError, match="constant, or a tuple"):
         at((0, 0, 0), extent=(1, 2, 3))
+    for numbers in ({"extent": []}, {"extent": 1, "falloff": []}, {"extent": np.zeros((0, 2))}):
+        with pytest.raises(ValueError, match="(extent|falloff) must be one number"):
+            at((0, 0, 0), **numbers)
 
 
 def near_side(surface, random, count=300, off=0.5):

@@ -45,6 +45,28 @@ def test_all_in_one_file(tmp_path):
     assert points.min() >= -1e-9
 
 
+def test_lines_of_files_are_dashed_as_on_paper(tmp_path):
+    drawing = square(500.0)
+    for layer in ("HIDDEN", "ROLLING"):
+        drawing.add_line(layer, [[0.0, 0.0], [500.0, 0.0]])
+    hn.write_shop_drawings([drawing], tmp_path / "all.dxf")
+    rows = [row.strip() for row in (tmp_path / "all.dxf").read_text().splitlines()]
+    pairs = list(zip(rows[::2], rows[1::2]))
+    types = {}
+    for k in [k for k, pair in enumerate(pairs) if pair == ("0", "LAYER")]:
+        layer = {}
+        for code, value in pairs[k + 1 :]:
+            if code == "0":
+                break
+            layer[code] = value
+        types[layer["2"]] = layer["6"]
+    assert [types[name] for name in ("OUTLINE", "HIDDEN", "ROLLING")] == [
+        "CONTINUOUS",
+        "DASHED",
+        "CENTER",
+    ]
+
+
 def test_a_file_each_at_true_size(tmp_path):
     names, drawings = ["P1", "P2 P/S", "−3"], [square(500.0), square(700.0), square(300.0)]
     for ending in ("pdf", "svg", "dxf"):

@@ -77,9 +77,8 @@ void draw_split(SheetBuilder& builder, const View& view, const Pen& pen,
                 const std::vector<ShipCurve>& curves, const HullExtents& extents) {
   // Cut at midship, as a knuckle runs on from the after body into the fore one.
   for (const ShipCurve& curve : curves) {
-    for (const ShipCurve& part :
-         // What is left lies off the centre plane by more than a line on paper would show.
-         part_of_curve(curve, 1, kOffCentre / view.scale, LimitSide::kAbove)) {
+    // What is left lies off the centre plane by more than a line on paper would show.
+    for (const ShipCurve& part : parts_off_centre(curve, kOffCentre / view.scale)) {
       for (const ShipCurve& aft : part_of_curve(part, 0, extents.midship, LimitSide::kBelow)) {
         draw_ship_curve(builder, pen, end_view(view, kAft), aft);
       }

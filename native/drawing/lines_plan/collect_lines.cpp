@@ -28,6 +28,7 @@ namespace {
 constexpr double kPaperTolerance = 0.02;
 constexpr int kStepsPerEdge = 16;  // of knuckles and borders
 constexpr int kStepsPerKnot = 8;   // of splines
+constexpr int kMostFrames = 100000;
 
 std::vector<double> in_order(std::vector<double> positions, const std::string& kind, double same) {
   if (positions.size() > analysis::kMostOffsetPositions) {
@@ -85,6 +86,14 @@ void check_spacing(const std::optional<double>& value, const std::string& name) 
   if (value && (!(*value > 0.0) || !std::isfinite(*value))) {
     throw std::invalid_argument("The " + name + " must be above zero, not " + metres(*value));
   }
+}
+
+// So many that marks and numbers of all fill no memory; a ship has some hundreds.
+void check_frame_count(const std::optional<double>& spacing, double size) {
+  if (!spacing || *spacing * kMostFrames >= size) return;
+  throw std::invalid_argument("The frame spacing, " + metres(*spacing) + ", makes more than " +
+                              std::to_string(kMostFrames) +
+                              " frames: give a larger one, in metres");
 }
 
 // The parts of the curve to port of y = 0. Points less than `slack` to starboard are taken for
@@ -289,6 +298,7 @@ LinesDrawing collect_lines(const surface::LimitSurface& surface, const LinesOpti
   const double size = surface.mesh().size();
   check_spacing(options.tolerance, "tolerance");
   check_spacing(options.frame_spacing, "frame spacing");
+  check_frame_count(options.frame_spacing, size);
   check_spacing(options.station_spacing, "station spacing");
   if (options.frames) check_frames(*options.frames);
   // On paper the hull is no larger than the sheet, whatever the scale will be.

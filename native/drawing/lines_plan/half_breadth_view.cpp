@@ -36,8 +36,7 @@ void draw_grid(SheetBuilder& builder, const View& view, const GridBox& grid,
 void draw_off_centre(SheetBuilder& builder, const View& view, const Pen& pen, const Projection& top,
                      const std::vector<ShipCurve>& curves) {
   for (const ShipCurve& curve : curves) {
-    for (const ShipCurve& part :
-         part_of_curve(curve, 1, kOffCentre / view.scale, LimitSide::kAbove)) {
+    for (const ShipCurve& part : parts_off_centre(curve, kOffCentre / view.scale)) {
       draw_ship_curve(builder, pen, top, part);
     }
   }

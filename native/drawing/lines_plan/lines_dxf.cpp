@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "drawing/paper/dxf_lines.h"
+
 namespace hull::drawing {
 
 using Eigen::Vector2d;
@@ -33,12 +35,6 @@ int colour_index(const Ink& colour) {
   }
   if (colour.red == high) return 1;
   return colour.green == high ? 3 : 5;
-}
-
-dxf::DxfLineType line_type(const Dashes& dashes) {
-  if (dashes == Dashes{}) return dxf::DxfLineType::kContinuous;
-  // Equal dashes, or long and short ones in turn.
-  return dashes[0] == dashes[2] ? dxf::DxfLineType::kDashed : dxf::DxfLineType::kCentre;
 }
 
 // CAD programs' own letters have no dashes but the hyphen.
@@ -91,7 +87,7 @@ class Converter {
       if (drawing_.layers[i].name == pen.layer) return static_cast<int>(i);
     }
     drawing_.layers.push_back(
-        {std::string(pen.layer), colour_index(pen.colour), pen.width, line_type(pen.dashes)});
+        {std::string(pen.layer), colour_index(pen.colour), pen.width, dxf_line_type(pen.dashes)});
     return static_cast<int>(drawing_.layers.size()) - 1;
   }
 

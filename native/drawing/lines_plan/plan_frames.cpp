@@ -28,14 +28,13 @@ std::string frame_name(double x, const PlanFrames& frames) {
 
 void check_frames(const PlanFrames& frames) {
   const std::vector<double>& x = frames.positions;
-  // Pairs that do not rise, and those that do not fall: there must be none of one of the two kinds.
-  // Not a number is both.
-  const auto rises = [](double a, double b) { return !(b > a); };
-  const auto falls = [](double a, double b) { return !(b < a); };
+  // There must be no pair of one of the two kinds. Not a number is both.
+  const auto rises_not = [](double a, double b) { return !(b > a); };
+  const auto falls_not = [](double a, double b) { return !(b < a); };
   if (x.size() >= 2 && frames.names.size() == x.size() && std::isfinite(x.front()) &&
       std::isfinite(x.back()) &&
-      (std::adjacent_find(x.begin(), x.end(), rises) == x.end() ||
-       std::adjacent_find(x.begin(), x.end(), falls) == x.end())) {
+      (std::adjacent_find(x.begin(), x.end(), rises_not) == x.end() ||
+       std::adjacent_find(x.begin(), x.end(), falls_not) == x.end())) {
     return;
   }
   throw std::invalid_argument("Frames are two or more, with a name each, and follow one another");

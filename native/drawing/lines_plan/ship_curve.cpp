@@ -73,7 +73,8 @@ std::vector<ShipCurve> part_of_curve(const ShipCurve& curve, int axis, double li
     parts.push_back({std::move(points), std::nullopt});
   }
   if (!curve.spline) return parts;
-  if (parts.size() == 1 && parts.front().points.size() == curve.points.size()) {
+  // By all points: their number alone stays the same where a crossing replaces an end.
+  if (parts.size() == 1 && parts.front().points == curve.points) {
     parts.front().spline = curve.spline;
     return parts;
   }
@@ -81,6 +82,14 @@ std::vector<ShipCurve> part_of_curve(const ShipCurve& curve, int axis, double li
   // Both run from the curve's begin to its end, so that the n-th is the same part in each.
   if (splines.size() != parts.size()) return parts;
   for (std::size_t i = 0; i < parts.size(); ++i) parts[i].spline = std::move(splines[i]);
+  return parts;
+}
+
+std::vector<ShipCurve> parts_off_centre(const ShipCurve& curve, double least) {
+  std::vector<ShipCurve> parts = part_of_curve(curve, 1, least, LimitSide::kAbove);
+  // As many points: at most an end was cut off, for which its crossing makes up.
+  const bool is_whole = parts.size() == 1 && parts.front().points.size() == curve.points.size();
+  if (is_whole) parts.front().spline = curve.spline;
   return parts;
 }
 

@@ -31,4 +31,8 @@ std::vector<std::vector<Eigen::Vector3d>> part_of_curve(const std::vector<Eigen:
 std::vector<ShipCurve> part_of_curve(const ShipCurve& curve, int axis, double limit,
                                      LimitSide side);
 
+// The parts that are to port of the plane y = `least`, just off the centre plane. A curve of which
+// only an end is nearer keeps its spline up to there: in files it meets the centre plane.
+std::vector<ShipCurve> parts_off_centre(const ShipCurve& curve, double least);
+
 }  // namespace hull::drawing

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "drawing/plots/plot.h"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -9,6 +10,9 @@ namespace hull::drawing {
 namespace {
 
 constexpr double kLargest = 1e100;
+// Of its size: within what is narrower, numbers differ by little more than rounding, and steps can
+// be too small to be counted. Data are widened to it.
+constexpr double kNarrowest = 1e-9;
 
 std::string quoted(const std::string& kind, const std::string& name, std::size_t index) {
   std::string words = kind;
@@ -33,6 +37,11 @@ void check_axis(const PlotAxis& axis, const std::string& name) {
   if (!(axis.range->low < axis.range->high)) {
     refuse("the range of " + name + " ends where it begins, or before: " +
            std::to_string(axis.range->low) + " to " + std::to_string(axis.range->high));
+  }
+  const double size = std::max(std::abs(axis.range->low), std::abs(axis.range->high));
+  if (axis.range->high - axis.range->low < kNarrowest * size || size < 1.0 / kLargest) {
+    refuse("the range of " + name +
+           " is narrower than a billionth of its larger end, or than 1e-100: give a wider one");
   }
 }
 

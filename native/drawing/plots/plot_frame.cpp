@@ -141,8 +141,10 @@ std::vector<PagePath> curve_paths(const PlotCurve& curve, const PlotFrame& frame
 std::vector<PagePath> area_polygons(const PlotCurve& curve, double from, double to,
                                     const PlotFrame& frame) {
   const AxisScale& scale = frame.x_axes[curve.x_axis];
-  from = std::max(std::min(from, to), scale.low);
-  to = std::min(std::max(from, to), scale.high);
+  // It may be given from its end to its beginning.
+  if (from > to) std::swap(from, to);
+  from = std::max(from, scale.low);
+  to = std::min(to, scale.high);
   const auto place = [&](double x, double y) {
     // What reaches out of sight is filled up to the frame.
     const double shown = std::clamp(y, frame.y_axis.low, frame.y_axis.high);

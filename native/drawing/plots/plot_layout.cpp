@@ -27,6 +27,7 @@ constexpr double kHeadGap = 2.0;
 constexpr double kLegendGap = 1.5;
 constexpr double kPaperMargin = 12.0;
 constexpr double kGreatestPlotSide = 5000.0;
+constexpr double kLeastFrame = 1.0;        // mm, of its height
 constexpr double kSharedSign = 4.5;        // mm, of curves that share an entry of the legend
 constexpr double kRightOfFrame = 3.0;      // room for half of the last number
 constexpr double kMostLegendShare = 0.5;   // of the height above the axes
@@ -200,6 +201,15 @@ struct Attempt {
   Unlabelled unlabelled;
 };
 
+// Titles and axes take what they need, however low the page is.
+void check_frame(const Plot& plot, const PlotPage& page, const AlignedBox2d& area) {
+  if (area.max().y() - area.min().y() >= kLeastFrame) return;
+  throw std::invalid_argument("A plot cannot be laid out on a page " + number_text(page.height) +
+                              " mm high: its title, " + std::to_string(plot.subtitles.size()) +
+                              " subtitles, axes and legend leave no room for the diagram; take "
+                              "fewer, or a higher page");
+}
+
 // One layout, with the legend explaining what is in `unlabelled`.
 Attempt attempt(const Plot& plot, const PlotPage& page, const Unlabelled& unlabelled) {
   const AlignedBox2d content(Vector2d::Constant(page.margin),
@@ -211,6 +221,7 @@ Attempt attempt(const Plot& plot, const PlotPage& page, const Unlabelled& unlabe
                           most_rows);
   const double legend_height = legend.height() > 0.0 ? legend.height() + kLegendGap : 0.0;
   frame.area.max().y() -= legend_height;
+  check_frame(plot, page, frame.area);
 
   PlotSheet sheet{};
   sheet.title = plot.title;

@@ -54,7 +54,8 @@ bool put_marker_text(SheetBuilder& builder, const std::string& text, const Ink& 
       if (distance > kLeaderFrom) {
         // The corner of the box that is nearest to the dot, or the middle of its side.
         const Vector2d end = dot + (distance + 0.5 * kDotRadius) * direction;
-        const Vector2d begin = dot + (kDotRadius + 0.2) * direction.normalized();
+        // Outside the dot's own box, along a diagonal as well.
+        const Vector2d begin = dot + (kDotRadius + 0.2) * direction;
         if (!builder.placer().is_free(begin, end)) continue;
         builder.draw(pens::kLeader, {begin, end});
       }
@@ -161,8 +162,8 @@ Unlabelled draw_marks(SheetBuilder& builder, const Plot& plot, const PlotFrame& 
     const PlotLine& line = plot.lines[i];
     const AxisScale& scale = line.vertical ? frame.x_axes[0] : frame.y_axis;
     if (line.at < scale.low || line.at > scale.high) {
-      // Out of sight, but not unknown.
-      without.lines.insert(i);
+      // Out of sight, but not unknown where it has a name.
+      if (!line.label.empty()) without.lines.insert(i);
       continue;
     }
     const Vector2d &low = frame.area.min(), &high = frame.area.max();

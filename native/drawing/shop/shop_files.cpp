@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <filesystem>
 #include <stdexcept>
 
 #include "drawing/paper/canvas.h"
+#include "drawing/paper/dxf_lines.h"
 #include "drawing/shop/shop_pens.h"
 #include "dxf/dxf_file.h"
 
@@ -31,9 +33,7 @@ dxf::DxfDrawing shop_dxf(const ShopDrawing& drawing) {
     const auto found = std::find_if(file.layers.begin(), file.layers.end(),
                                     [&name](const auto& own) { return own.name == name; });
     if (found != file.layers.end()) return static_cast<int>(found - file.layers.begin());
-    const auto type =
-        pen.pen.dashes == Dashes{} ? dxf::DxfLineType::kContinuous : dxf::DxfLineType::kCentre;
-    file.layers.push_back({name, pen.colour, pen.pen.width, type});
+    file.layers.push_back({name, pen.colour, pen.pen.width, dxf_line_type(pen.pen.dashes)});
     return static_cast<int>(file.layers.size()) - 1;
   };
   for (const ShopLine& line : drawing.lines) {

@@ -132,14 +132,14 @@ Division divide(const ShopDrawing& drawing, const PaperSize& paper, double scale
   d.tile = {paper.width - 2.0 * (kMargin + kBeyond),
             paper.height - 2.0 * (kMargin + kBeyond) - kFoot};
   const Vector2d count = (scale * d.box.sizes()).cwiseQuotient(d.tile);
-  d.columns = std::max(1, static_cast<int>(std::ceil(count.x() - 1e-9)));
-  d.rows = std::max(1, static_cast<int>(std::ceil(count.y() - 1e-9)));
-  if (count.x() * count.y() > kMostSheets || d.columns * d.rows > kMostSheets) {
+  const Vector2d whole = (count.array() - 1e-9).ceil().max(1.0);
+  // As doubles: an int may not hold as many. So that what is no number fails too.
+  if (!(count.prod() <= kMostSheets && whole.prod() <= kMostSheets)) {
     throw std::invalid_argument("The drawing \"" + drawing.title + "\" would take more than " +
                                 std::to_string(kMostSheets) + " sheets of " + paper.name +
                                 ": take larger paper or a smaller scale.");
   }
-  return d;
+  return {paper, scale, d.box, d.tile, static_cast<int>(whole.x()), static_cast<int>(whole.y())};
 }
 
 std::string scale_words(double scale) {

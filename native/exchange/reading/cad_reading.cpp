@@ -5,6 +5,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <system_error>
 
 #include "files/atomic_file.h"
 
@@ -13,7 +14,11 @@ namespace {
 
 // The first line of a file that is not too long for one of text.
 std::string first_line(const std::string& path, const std::string& refusal) {
-  if (std::filesystem::is_directory(path)) throw files::FileError(refusal + "it is a folder");
+  // What can't even be looked at is not opened either, and that says why.
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored)) {
+    throw files::FileError(refusal + "it is a folder");
+  }
   std::ifstream file(path, std::ios::binary);
   if (!file) throw files::FileError(refusal + std::strerror(errno));
   // As long as a line of IGES: enough to tell either format.

@@ -21,6 +21,7 @@
 #include <vector>
 
 #include "exchange/cad_file.h"
+#include "exchange/cad_model.h"
 #include "exchange/occt_geometry.h"
 #include "exchange/occt_progress.h"
 #include "exchange/regions.h"
@@ -28,7 +29,6 @@
 #include "exchange/step/short_step.h"
 #include "exchange/step/step_styles.h"
 #include "exchange/step/text_holders.h"
-#include "files/atomic_file.h"
 
 namespace hull::exchange {
 namespace {
@@ -68,7 +68,7 @@ class StepText {
         writer_.Transfer(shape, type, Standard_False, indicator->Start());
     indicator->rethrow();
     if (status != IFSelect_RetDone) {
-      throw files::FileError("Open CASCADE could not translate the patches to STEP");
+      throw NoCadText("the patches were not translated to STEP");
     }
   }
 
@@ -138,7 +138,7 @@ class StepText {
     text.FloatWriter().SetFormat("%.16E");
     text.SendModel(Handle(StepData_Protocol)::DownCast(writer_.WS()->Protocol()));
     std::ostringstream stream;
-    if (!text.Print(stream)) throw files::FileError("Open CASCADE could not print the STEP file");
+    if (!text.Print(stream)) throw NoCadText("the STEP file was not printed");
     return stream.str();
   }
 

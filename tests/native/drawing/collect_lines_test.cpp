@@ -148,6 +148,12 @@ TEST(CollectLines, RefusesBadPositions) {
   bad = options();
   bad.station_spacing = 0.0;
   EXPECT_THROW(collect_lines(surface, bad), std::invalid_argument);
+  // Marks of so many frames would fill the memory.
+  for (const double spacing : {1e-9, 1e-300}) {
+    bad = options();
+    bad.frame_spacing = spacing;
+    EXPECT_THROW(collect_lines(surface, bad), std::invalid_argument);
+  }
 }
 
 // In the box's bilge corner a diagonal at 45 degrees from z = 4 reaches the side at z = 0.

@@ -6,6 +6,7 @@
 #include <random>
 #include <stdexcept>
 
+#include "drawing/paper/pens.h"
 #include "drawing/paper/text_meter.h"
 #include "drawing/plots/plot_layout.h"
 #include "drawing/plots/plot_scale.h"
@@ -172,6 +173,51 @@ TEST(Plot, ShadedAreaIsThatUnderTheCurve) {
   EXPECT_NEAR(0.5 * std::abs(twice), (24750.0 - 5.0) * std::abs(unit.x() * unit.y()), 1e-6 * twice);
 }
 
+TEST(Plot, AreasMayBeGivenFromTheirEnd) {
+  Plot plot = empty_plot();
+  plot.curves = {sampled("parabola", 0.0, 60.0, [](double x) { return x * (60.0 - x); })};
+  plot.areas = {{0, 15.0, 45.0, "area"}, {0, 45.0, 15.0, "area"}};
+  const PlotSheet sheet = lay_out_plot(plot, kPaper);
+  ASSERT_EQ(sheet.areas.size(), 2u);
+  EXPECT_EQ(sheet.areas[0].points, sheet.areas[1].points);
+}
+
+// Texts around dots that leave little room are led to along diagonals, too.
+TEST(Plot, LeadersRunInAllDirections) {
+  Plot plot = empty_plot();
+  plot.x_axes[0].range = PlotRange{0.0, 100.0};
+  plot.y_axis.range = PlotRange{0.0, 100.0};
+  for (int i = 0; i < 4; ++i) {
+    for (int j = 0; j < 3; ++j) plot.markers.push_back({48.0 + i, 48.0 + 1.5 * j, "mark"});
+  }
+  const PlotSheet sheet = lay_out_plot(plot, kPaper);
+  expect_good_layout(sheet, kPaper);
+  int diagonal = 0;
+  for (const Stroke& stroke : sheet.strokes) {
+    if (!(stroke.pen == pens::kLeader)) continue;
+    const Eigen::Vector2d way = (stroke.points[1] - stroke.points[0]).cwiseAbs();
+    diagonal += way.minCoeff() > 0.5;
+    // Outside the dots.
+    for (const PlotMarker& marker : plot.markers) {
+      const Eigen::Vector2d dot = sheet.frame.to_page(0, marker.x, marker.y);
+      EXPECT_GT((stroke.points[0] - dot).norm(), 0.8);
+    }
+  }
+  EXPECT_GT(diagonal, 0);
+}
+
+TEST(Plot, LinesOutOfSightAreInTheLegendByTheirNames) {
+  // Without a legend.
+  Plot plot = empty_plot();
+  plot.x_axes[0].range = PlotRange{0.0, 90.0};
+  plot.curves = {sampled("GZ", 0.0, 90.0, [](double x) { return std::sin(x * 0.04); })};
+  const double bottom = lay_out_plot(plot, kPaper).frame.area.max().y();
+  plot.lines = {{1000.0, true, ""}};
+  EXPECT_EQ(lay_out_plot(plot, kPaper).frame.area.max().y(), bottom);
+  plot.lines.back().label = "far away";
+  EXPECT_TRUE(has_label(lay_out_plot(plot, kPaper), "far away"));
+}
+
 TEST(Plot, LayoutOfManyScales) {
   for (int count : {1, 2, 5, 9}) {
     for (const PlotPage& page : {kPaper, kCard, PlotPage{420.0, 297.0, 12.0}}) {
@@ -294,6 +340,12 @@ TEST(Plot, RefusesWhatCannotBeDrawn) {
   refused([](Plot& plot) { plot.areas[0].curve = -1; });
   refused([](Plot& plot) { plot.bars = {{0.0, "bar"}}; });
   refused([](Plot& plot) { plot.y_axis.range = PlotRange{1.0, 1.0}; });
+  // Steps of these would be so many from zero that one more is the same number.
+  refused([](Plot& plot) { plot.y_axis.range = PlotRange{1.0, 1.0 + 1e-15}; });
+  refused([](Plot& plot) { plot.x_axes[0].range = PlotRange{-1e9, -1e9 + 0.5}; });
+  refused([](Plot& plot) { plot.y_axis.range = PlotRange{0.0, 1e-300}; });
+  // Heads that leave no room for a frame.
+  refused([](Plot& plot) { plot.subtitles.resize(60, "subtitle"); });
   EXPECT_THROW(lay_out_plot(righting_levers(), {40.0, 75.0, 3.0}), std::invalid_argument);
   EXPECT_THROW(lay_out_plot(righting_levers(), {kNan, 75.0, 3.0}), std::invalid_argument);
   EXPECT_THROW(write_plot(righting_levers(), "plot.dwg"), std::invalid_argument);

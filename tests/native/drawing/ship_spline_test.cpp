@@ -89,5 +89,47 @@ TEST(ShipSpline, PartsOfCurvesKeepTheirSplines) {
   }
 }
 
+// A crossing makes up for the end that is cut off, and the part has as many points as the curve.
+TEST(ShipSpline, PartsEndAtTheLimitThoughOnlyAnEndIsBeyond) {
+  std::mt19937 random(14);
+  const surface::CubicSpline spline = random_spline(random);
+  ShipCurve curve{{}, spline};
+  for (int i = 0; i <= 40; ++i) {
+    const double t = spline.begin() + (spline.end() - spline.begin()) * i / 40.0;
+    curve.points.push_back(spline.evaluate(std::min(t, spline.end()), 0).point);
+  }
+  // x rises along it.
+  const double limit = 0.5 * (curve.points[39].x() + curve.points[40].x());
+  const std::vector<ShipCurve> parts = part_of_curve(curve, 0, limit, LimitSide::kBelow);
+  ASSERT_EQ(parts.size(), 1u);
+  EXPECT_EQ(parts[0].points.size(), curve.points.size());
+  ASSERT_TRUE(parts[0].spline);
+  const surface::CubicSpline& own = *parts[0].spline;
+  EXPECT_NEAR(own.evaluate(own.end(), 0).point.x(), limit, 1e-12);
+  // What is not cut keeps its own.
+  const std::vector<ShipCurve> whole = part_of_curve(curve, 0, 100.0, LimitSide::kBelow);
+  ASSERT_TRUE(whole.size() == 1 && whole[0].spline);
+  EXPECT_EQ(whole[0].spline->points(), spline.points());
+}
+
+TEST(ShipSpline, CurvesThatEndInTheCentrePlaneMeetItInFiles) {
+  std::mt19937 random(15);
+  const surface::CubicSpline spline = random_spline(random);
+  ShipCurve curve{{}, spline};
+  for (int i = 0; i <= 40; ++i) {
+    const double t = spline.begin() + (spline.end() - spline.begin()) * i / 40.0;
+    const Vector3d p = spline.evaluate(std::min(t, spline.end()), 0).point;
+    curve.points.emplace_back(p.y(), i, p.z());
+  }
+  // Nearer by its first point, and by the first two.
+  for (const double least : {0.5, 1.5}) {
+    const std::vector<ShipCurve> parts = parts_off_centre(curve, least);
+    ASSERT_EQ(parts.size(), 1u);
+    EXPECT_EQ(parts[0].points.front().y(), least);
+    const bool is_whole = parts[0].spline && parts[0].spline->points() == spline.points();
+    EXPECT_EQ(is_whole, least < 1.0);
+  }
+}
+
 }  // namespace
 }  // namespace hull::drawing

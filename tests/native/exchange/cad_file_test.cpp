@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What STEP and IGES files have in common, each test for both.
+#include "exchange/cad_file.h"
+
 #include <gtest/gtest.h>
 #include <sys/mount.h>
 #include <sys/resource.h>
@@ -230,6 +232,21 @@ TEST_P(CadFile, NeedsAFolderToGoTo) {
   EXPECT_EQ(files(), 1);
 }
 
+TEST_P(CadFile, OfWhichNoTextCanBeMadeIsNamed) {
+  const auto none = [](const CadModel&, const CadOptions&,
+                       const surface::Progress&) -> std::string {
+    throw NoCadText("for no reason");
+  };
+  try {
+    write_cad_file(testing::rectangle(6.0, 4.0), path_, {}, none);
+    FAIL() << "a file without text";
+  } catch (const files::FileError& error) {
+    const std::string said = error.what();
+    EXPECT_NE(said.find("\"" + path_ + "\": for no reason"), std::string::npos) << said;
+  }
+  EXPECT_EQ(files(), 0);
+}
+
 // A file system with room for 64 kB, or one that is read only; false where we may not make one.
 bool mounted(const fs::path& folder, const char* options, unsigned long flags) {
   fs::create_directory(folder);
@@ -298,6 +315,8 @@ TEST(CadReport, TellsFormatsApart) {
   EXPECT_EQ(read_cad_report(path).bytes, fs::file_size(path));
   std::ofstream(path) << "solid cube\nendsolid\n";
   EXPECT_THROW(read_cad_report(path), files::FileError);
+  // One whose kind can't be told.
+  EXPECT_THROW(read_cad_report((folder / std::string(300, 'a')).string()), files::FileError);
   fs::remove_all(folder);
 }
 
