@@ -176,6 +176,24 @@ def test_marks_are_clipped_at_seams():
         np.testing.assert_allclose(on_hull[:, 1], 2.5, atol=1e-9)
 
 
+def test_marks_that_begin_and_end_in_the_centre_plane_have_their_other_half():
+    """A moon pool's circle and a keel line on a level bottom across the centre plane."""
+    x, y = np.meshgrid(np.arange(7.0), np.arange(5.0), indexing="ij")
+    surface = grid_surface(np.stack([x, y, 0.0 * x], axis=-1))
+    curves = hn.HullCurves(surface, 1e-5)
+    flat = one(hn.plates(surface, [], across_centre=True)).flat()
+    circle = one(curves.on_cylinder((3.0, 0.0, 0.0), direction=(0.0, 0.0, 1.0), radius=1.0))
+    ((line, on_hull),) = flat.marks(circle)
+    np.testing.assert_allclose(np.hypot(on_hull[:, 0] - 3.0, on_hull[:, 1]), 1.0, atol=1e-5)
+    np.testing.assert_allclose(line[0], line[-1], atol=1e-9)
+    around = np.linalg.norm(np.diff(line, axis=0), axis=1).sum()
+    assert around == pytest.approx(2.0 * np.pi, rel=1e-4)
+    # Along the centre plane there is no other half.
+    (keel,) = (c for c in curves.borders() if np.abs(c.points[:, 1]).max() < 1e-9)
+    ((line, _),) = flat.marks(keel)
+    assert np.linalg.norm(np.diff(line, axis=0), axis=1).sum() == pytest.approx(6.0, rel=1e-9)
+
+
 def test_butts_end_on_seams():
     """Staggered butts: pieces of plane curves between two seams."""
     surface = cylinder()
