@@ -233,9 +233,24 @@ def test_walls_refused():
         (0.1, 0.0, "positive"),
         (1.0, 0.1, "nothing hollow"),
         (0.1, 1e-4, "would do"),
+        # The side that would do is larger than the wall: other cubes do not help.
+        (1e-3, 1e-4, "take a wall of 0.00[0-9]* or more, and cubes as large, or a smaller model"),
+        (0.3, 0.31, "take them no larger than the wall"),
     ):
         with pytest.raises(ValueError, match=words):
             hn.hollowed(cube(), wall, cell)
+
+
+def test_the_largest_cubes_find_a_wall_however_it_lies():
+    """Larger ones, of 1.3 walls and more, had the hollow joined to what is outside in some."""
+    random = np.random.default_rng(1)
+    for _ in range(60):
+        turn, _ = np.linalg.qr(random.normal(size=(3, 3)))
+        turn *= np.linalg.det(turn)
+        model = hn.ClosedModel(CUBE @ turn.T, CUBE_TRIANGLES)
+        hollow = hn.hollowed(model, 0.3, 0.3)
+        assert hollow.hollows == 1 and 2.0 < hollow.hollow_volume < 1.4**3
+        assert np.abs(hollow.model.points[8:] @ turn).max() < 0.7 + 1e-9
 
 
 def test_wall_ends_when_asked():
