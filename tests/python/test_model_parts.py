@@ -400,6 +400,21 @@ def test_dowels():
     assert rims[0] == rims[1] and len(rims[0]) == 64
 
 
+def test_dowels_beside_corners_at_their_depth():
+    """A corner just where a hole and what is left below it ends is in no dowel's way."""
+    rings = [-6.0, -0.5, 6.0]
+    points = np.concatenate([CUBE[[0, 1, 3, 2]] * [1, 1, 0] + [0, 0, z] for z in rings])
+    faces = [(0, 2, 1), (0, 3, 2), (8, 9, 10), (8, 10, 11)]
+    for a in (0, 4):
+        for j in range(4):
+            i, k = a + j, a + (j + 1) % 4
+            faces += [(i, k, k + 4), (i, k + 4, i + 4)]
+    bar = hn.ClosedModel(points, faces)
+    found = hn.segmented(bar, machine=(3.0, 3.0, 3.0), dowel=0.25, dowel_depth=0.375)
+    assert any(one.box[1][2] == 0.0 for one in found.segments)
+    assert len(found.segments) == 4 and found.holes == 12 and found.bare_joints == 0
+
+
 def test_dowels_of_a_hull(tmp_path):
     model = sample_model("coaster", 8e-4)
     found = hn.segmented(

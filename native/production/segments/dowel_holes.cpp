@@ -23,7 +23,8 @@ using Polygon = std::vector<Vector2d>;
 double distance_to(const Polygon& polygon, const Vector2d& p) {
   double least = std::numeric_limits<double>::infinity();
   // Polygons are convex: a place is inside where it lies on one side of all of their sides.
-  bool left = polygon.size() > 2, right = left;
+  // Without area, all on one line or in one point, it has no inside.
+  bool left = polygon.size() > 2, right = left, has_area = false;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Vector2d &a = polygon[i], ab = polygon[(i + 1) % polygon.size()] - a;
     const double length = ab.squaredNorm();
@@ -32,8 +33,9 @@ double distance_to(const Polygon& polygon, const Vector2d& p) {
     const double side = cross(ab, p - a);
     left = left && side >= 0.0;
     right = right && side <= 0.0;
+    has_area = has_area || side != 0.0;
   }
-  return left || right ? 0.0 : least;
+  return has_area && (left || right) ? 0.0 : least;
 }
 
 // What of a segment is near a plane, on one side of it, seen along the axis: its faces in the plane
