@@ -210,6 +210,27 @@ def test_butts_end_on_seams():
     assert names == {"", "S1", "S2", "B0", "B1", "B2"}
 
 
+def test_closed_curves_are_cut_at_crossings_alone():
+    """Not where they begin, but for a crossing there."""
+    surface = cylinder()
+    curves = hn.HullCurves(surface, 1e-4)
+    circle = one(curves.on_cylinder((3.0, 2.5, 0.0), direction=(0.0, 0.0, 1.0), radius=1.0))
+    start = circle.points[0]
+    assert np.linalg.norm(start - circle.points[-1]) < 1e-9
+    whole = length(circle)
+    assert len(curves.pieces(circle, [])) == 1
+    for x in (2.3, 3.4, start[0]):
+        pieces = curves.pieces(circle, in_plane(curves, "x", x, "S"))
+        assert len(pieces) == 2
+        for piece in pieces:
+            np.testing.assert_allclose(piece.points[[0, -1], 0], x, atol=1e-6)
+        assert sum(map(length, pieces)) == pytest.approx(whole, rel=1e-9)
+
+
+def length(curve):
+    return np.linalg.norm(np.diff(curve.points, axis=0), axis=1).sum()
+
+
 def test_plates_over_knuckles_are_refused():
     sample, body = body_of("planing_boat")
     with pytest.raises(ValueError, match="A plate goes over a knuckle of .*: put a seam along"):
