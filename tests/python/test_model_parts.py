@@ -318,6 +318,17 @@ def test_accessibility_is_of_the_segment():
     assert [one.model.volume for one in found.segments] == pytest.approx([2.5, 2.5])
 
 
+@pytest.mark.parametrize("planes", [4, 5])
+def test_own_faces_between_layers_are_reached_or_not(planes):
+    """A hollow cube is made in halves, whether the hollow's faces lie in planes of the grid, where
+    they once counted as cuts, or not."""
+    points = np.vstack([2.0 * CUBE, CUBE])
+    faces = np.vstack([CUBE_TRIANGLES, np.add([t[::-1] for t in CUBE_TRIANGLES], 8)])
+    found = hn.segmented(hn.ClosedModel(points, faces), machine=BIG_MACHINE, planes=planes)
+    assert len(found.segments) == 2 and all(one.can_be_made for one in found.segments)
+    assert [one.model.volume for one in found.segments] == pytest.approx([28.0, 28.0])
+
+
 def best_by_trial(found):
     return len(found.segments), sum(math.sqrt(one.model.volume) for one in found.segments)
 

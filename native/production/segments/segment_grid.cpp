@@ -106,6 +106,7 @@ SegmentGrid::SegmentGrid(const ClosedModel& model, const SegmentRules& rules,
   for (int a = 0; a < 3; ++a) {
     planes_[a] = spaced(box.min()[a], box.max()[a], counts[a], size_);
   }
+  find_level_faces(model);
   const ModelRays rays(model, kOffFace * size_);
   const auto layers = [this](int a) { return static_cast<int>(planes_[a].size()) - 1; };
   cells_.resize(static_cast<std::size_t>(layers(0)) * layers(1) * layers(2));
@@ -140,6 +141,7 @@ void SegmentGrid::take_faces(const ClosedModel& piece, const std::array<int, 3>&
     const double area = across.norm();
     if (area > 0.0 && !take_cap(face, area, at, cell)) take_face(face, across, cell, rays);
   }
+  take_level_faces(at, cell, rays);
 }
 
 // Whether the face is in a plane between cells.
