@@ -464,6 +464,7 @@ def test_segments_refused():
         ({"machine": BIG_MACHINE, "making": "casting"}, "thick_layers"),
         ({"machine": BIG_MACHINE, "dowel": 0.1}, "depth"),
         ({"machine": (0.02, 0.02, 0.02)}, "too many"),
+        ({"machine": (1e-12, 1e-12, 1e-12)}, "too many"),
     ):
         with pytest.raises(ValueError, match=words):
             hn.segmented(cube(), **options)

@@ -237,6 +237,13 @@ def test_plates_over_knuckles_are_refused():
         hn.plates(body.surface, [])
 
 
+@pytest.mark.parametrize("reach", [1e3, 1e9])
+def test_lines_far_longer_than_the_hull_meet_it(reach):
+    line = [(3.0 - reach, 2.5, 9.0), (3.0 + reach, 2.5, 9.0)]
+    curve = one(hn.HullCurves(cylinder(), 1e-3).projected(line, direction=(0, 0, -1)))
+    np.testing.assert_allclose(curve.points[[0, -1], 0], [0.0, 6.0], atol=1e-6)
+
+
 def test_bad_input_has_its_sentence():
     surface = cylinder()
     curves = hn.HullCurves(surface)

@@ -39,10 +39,13 @@ std::vector<double> spaced(double low, double high, int layers, double size) {
 }
 
 int layers_for(double extent, double longest, int planes, const SegmentRules& rules) {
-  int layers = static_cast<int>(std::lround(planes * extent / longest));
   // At least so many that a layer fits the machine whichever way round the segment lies.
-  layers = std::max(layers, static_cast<int>(std::ceil(extent / rules.machine.minCoeff())));
-  layers = std::clamp(layers, kFewestPlanes, kMostPlanes);
+  const double wanted =
+      std::max(std::round(planes * extent / longest), std::ceil(extent / rules.machine.minCoeff()));
+  // Bounded before it is a whole number, which may not hold it; in this order what is no number is
+  // the fewest.
+  const int layers =
+      static_cast<int>(std::min(std::max(1.0 * kFewestPlanes, wanted), 1.0 * kMostPlanes));
   return layers + layers % 2;
 }
 
