@@ -19,15 +19,27 @@ using production::ClosedModel;
 using production::ModelLayers;
 using production::ModelSlice;
 
+// (n, 3) of finite numbers.
+std::vector<Vector3d> places_from(const DoubleArray& given, const char* name) {
+  std::vector<Vector3d> places = points_from(given, name);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    if (places[i].allFinite()) continue;
+    throw std::invalid_argument(std::string(name) + "[" + std::to_string(i) +
+                                "] is not of finite numbers; leave it out, or set it anew.");
+  }
+  return places;
+}
+
 ClosedModel faces_from(const DoubleArray& points, const py::object& triangles) {
   ClosedModel model;
-  model.points = points_from(points, "points");
+  model.points = places_from(points, "points");
   model.triangles = triangles_from(triangles, model.points.size());
   return model;
 }
 
-py::array_t<bool> covered_by(const ClosedModel& model, const DoubleArray& points) {
-  const std::vector<Vector3d> places = points_from(points, "points");
+py::array_t<bool> covered_by(const ClosedModel& model, const DoubleArray& points,
+                             const char* name) {
+  const std::vector<Vector3d> places = places_from(points, name);
   py::array_t<bool> result(static_cast<py::ssize_t>(places.size()));
   bool* const covered = result.mutable_data();
   const py::gil_scoped_release release;
@@ -82,7 +94,7 @@ void bind_closed_models(py::module_& module) {
       "opposite directions.")
       .def(py::init(&model_from), py::arg("points"), py::arg("triangles"),
            "points (n, 3), triangles (m, 3), counter-clockwise seen from outside. ValueError where "
-           "they do not enclose a body.")
+           "they do not enclose a body, and for points that are not finite.")
       .def_property_readonly(
           "points", [](const ClosedModel& model) { return to_array(model.points); }, "(n, 3).")
       .def_property_readonly(
@@ -100,7 +112,8 @@ void bind_closed_models(py::module_& module) {
            py::call_guard<py::gil_scoped_release>(),
            "A ClosedModel with all lengths times factor, in the single precision of files; what "
            "vanishes by that is left out, and it stays closed. ValueError unless the factor is "
-           "positive, and where nothing is left.")
+           "positive, where points would not be finite in that precision, and where nothing is "
+           "left.")
       .def(
           "layers",
           [](const ClosedModel& model, double thickness, const py::object& progress) {
@@ -122,18 +135,26 @@ void bind_closed_models(py::module_& module) {
           py::arg("heights"),
           "A list of ModelSlice at heights (n,), which must rise. Points at a height count as "
           "above it.")
-      .def("covers", &covered_by, py::arg("points"),
-           "(n,) whether a triangle is above each of points (n, 3), towards +z.");
+      .def(
+          "covers",
+          [](const ClosedModel& model, const DoubleArray& points) {
+            return covered_by(model, points, "points");
+          },
+          py::arg("points"),
+          "(n,) whether a triangle is above each of points (n, 3), towards +z. ValueError for "
+          "points that are not finite.");
 
   module.def(
       "places_covered",
       [](const DoubleArray& points, const py::object& triangles, const DoubleArray& places) {
         const ClosedModel faces = faces_from(points, triangles);
-        return covered_by(faces, places);
+        return covered_by(faces, places, "places");
       },
       py::arg("points"), py::arg("triangles"), py::arg("places"),
       "(n,) whether one of triangles (m, 3) of points, which need not enclose anything, is above "
-      "each of places (n, 3), towards +z. ValueError for triangles of points that there are not.");
+      "each of places (n, 3), towards +z. ValueError for triangles of points that there are not, "
+      "and for "
+      "points and places that are not finite.");
   module.def(
       "closed_model",
       [](const analysis::HullBody& body, double tolerance, const py::object& progress) {

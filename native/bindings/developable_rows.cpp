@@ -96,7 +96,9 @@ void bind_developable_rows(py::module_& module) {
            }),
            py::arg("surface"), py::arg("faces"),
            "faces: (k,) of the control mesh. ValueError for one without four points, or without "
-           "creases or borders along two opposite sides, and where a crease fades out.")
+           "creases or borders along two opposite sides, where a crease fades out, and for one "
+           "whose surface is not just its rulings: where creases bend or meet at a point beside "
+           "the row, or the face beyond has not four points, unless all is flat there.")
       .def_property_readonly(
           "points",
           [](const OneRow& one) {

@@ -100,14 +100,15 @@ void bind_model_parts(py::module_& module) {
       py::arg("progress") = py::none(),
       "A HollowModel: the ClosedModel with all that is further than wall from its surface taken "
       "out; what is nowhere thicker than twice that stays solid, so that the inner surface never "
-      "meets itself. cell (the wall's thickness by default): the grid's side by which the inner "
-      "surface is found. Its corners are wall from the surface but for the square of what "
+      "meets itself. cell (the wall's thickness by default, and at most): the grid's side by which "
+      "the "
+      "inner surface is found. Its corners are wall from the surface but for the square of what "
       "interpolation in a cube is off; where it is smooth with radius r its triangles are within "
       "cell² / r of it, and knuckles are cut off within a cube, on the thick side. progress: "
       "called "
       "with the share done; what it raises ends the work. ValueError where nothing is thick "
-      "enough, "
-      "and for more than 3 000 000 cubes, naming a side that would do.");
+      "enough, for a cell larger than the wall, and for more than 3 000 000 cubes, naming what "
+      "would do.");
   module.def("wall_volume", &production::wall_volume, py::arg("model"), py::arg("wall"),
              "The volume of a wall of this thickness inside a ClosedModel by Steiner's formula: "
              "area wall - M wall², M the sum over its edges of length tan(theta / 2), theta the "

@@ -251,9 +251,16 @@ def test_tolerances_refused(tolerance, words):
 
 def test_models_refused(tmp_path):
     cube = hn.ClosedModel(CUBE, CUBE_TRIANGLES)
+    astray = [np.where(np.arange(8)[:, None] == 3, one, CUBE) for one in (np.nan, np.inf)]
     for call, words in (
         (lambda: hn.ClosedModel(CUBE, CUBE_TRIANGLES[:-1]), "do not enclose"),
         (lambda: hn.ClosedModel(CUBE, [(0, 1, 9)]), "no point"),
+        (lambda: hn.ClosedModel(astray[0], CUBE_TRIANGLES), r"points\[3\] is not of finite"),
+        (lambda: hn.ClosedModel(astray[1], CUBE_TRIANGLES), r"points\[3\] is not of finite"),
+        (lambda: cube.covers([[0.0, 0.0, 0.0], [np.nan, 0.0, 0.0]]), r"points\[1\] is not of"),
+        (lambda: hn.places_covered(astray[0], CUBE_TRIANGLES, CUBE), r"points\[3\] is not of"),
+        (lambda: hn.places_covered(CUBE, CUBE_TRIANGLES, astray[1]), r"places\[3\] is not of"),
+        (lambda: cube.scaled(1e39), "single precision"),
         (lambda: cube.scaled(0.0), "positive number"),
         (lambda: cube.scaled(1e-60), "nothing is left"),
         (lambda: cube.layers(0.0), "positive length"),
@@ -281,3 +288,9 @@ def test_a_full_disk_leaves_the_old_file(tmp_path, monkeypatch):
         hull_io.write_3mf(path, CUBE, CUBE_TRIANGLES)
     monkeypatch.undo()
     assert path.read_bytes() == b"before" and list(tmp_path.iterdir()) == [path]
+
+
+def test_covers_in_the_largest_model():
+    """Whose sizes no number tells: the sum of its coordinates is beyond all of them."""
+    huge = hn.ClosedModel(1.5e308 * CUBE, CUBE_TRIANGLES)
+    assert list(huge.covers([[0.0, 0.0, 1.6e308]])) == [False]

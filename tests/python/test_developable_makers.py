@@ -108,6 +108,21 @@ def test_lines_projected_onto_strips():
     assert np.linalg.norm(flat - tip[0], axis=1) == pytest.approx(slant, abs=1e-9)
 
 
+@pytest.mark.parametrize("aside", [0.0, 1e-13, -1e-13])
+def test_a_line_on_a_strip_is_met_all_along(aside):
+    """Rounding puts half of its points behind the strip; what is behind by more is not met."""
+    strip = hn.DevelopableStrip.cylinder(
+        circle(1.0, 0.0), direction=(0, 0, 1), length=2.0, count=256
+    )
+    ((on_strip, _),) = strip.projected([[-2, -3, 0.3], [2, -3, 1.7]], direction=(0, 1, 0))
+    on_strip = on_strip[on_strip[:, 1] < -0.1]
+    line = on_strip + np.array([0.0, aside, 0.0])
+    found = [one for one, _ in strip.projected(line, direction=(0, 1, 0)) if one[0, 1] < 0.0]
+    assert [len(one) for one in found] == [len(on_strip)]
+    behind = strip.projected(line + np.array([0.0, 1e-9, 0.0]), direction=(0, 1, 0))
+    assert all((one[:, 1] > 0.0).all() for one, _ in behind)
+
+
 @pytest.mark.parametrize(
     "make, words",
     [
@@ -119,6 +134,10 @@ def test_lines_projected_onto_strips():
         (lambda a: hn.DevelopableStrip.cylinder(a, direction=(0, 0, 1), length=0), "above 0 m"),
         (lambda a: hn.DevelopableStrip.cylinder(a, direction=(0, 0, 1), length=math.nan), "above"),
         (lambda a: whole(a).projected([[0, 0, 1]], direction=(0, 1, 0)), "two points"),
+        (
+            lambda a: whole(a).projected([[0, 0, 1], [0, math.nan, 1]], direction=(0, 1, 0)),
+            "finite",
+        ),
         (lambda a: whole(a).projected([[9, 0, 1], [9, 1, 1]], direction=(0, 1, 0)), "misses"),
         (lambda a: whole(a).projected([[0, 0, 0], [0, 0, 1]], direction=(1, 0, 0)), "along its"),
         (lambda a: whole(a).projected([[0, 0, 0], [0, 0, 1]], direction=(0, 0, 0)), "direction"),

@@ -35,7 +35,11 @@ def outer_bottom():
     points = np.asarray(surface.mesh.points)
     candidates, best = rows_of(surface, None, None), []
     for face in candidates:
-        row = hn.RuledRow(surface, [face])
+        try:
+            row = hn.RuledRow(surface, [face])
+        except ValueError as error:
+            assert "has not four points" in str(error)  # beside a pointed face
+            continue
         own = points[row.points]
         # Broad, and in the bottom: not the level strips of rail and chine, nor the side.
         ends = row.rulings(1)
@@ -57,6 +61,59 @@ def test_the_surface_is_just_the_rulings():
         found = tree.closest_points(places)
         distances = np.linalg.norm(np.asarray(found.points) - places, axis=1)
         assert distances.max() < 1e-9
+
+
+def off_rulings(surface, face, rulings):
+    """How far the surface is from the rulings of a face, m, at the most of places between."""
+    first = int(np.sum(surface.mesh.face_sizes[:face]))
+    t = np.linspace(0.1, 0.9, 5)
+    u, v = (one.ravel() for one in np.meshgrid(t, t))
+    places = np.concatenate(
+        [
+            surface.evaluate(np.full(len(u), first + i), np.stack([u, v], axis=1))[0]
+            for i in range(4)
+        ]
+    )
+    begins, ways = rulings[:, 0], rulings[:, 1] - rulings[:, 0]
+    return max(line_distance(p, begins, ways) for p in places)
+
+
+def row_between(tip, corners=()):
+    """Five quadrilaterals between two knuckles that rise, and may meet in a triangle."""
+    x = np.arange(6.0)
+    low = np.stack([x, 0.2 * x, 0.02 * x**2], axis=1)
+    high = np.stack([x, 3.0 - 0.2 * x, 0.5 + 0.06 * x**2], axis=1)
+    points = np.vstack([low, high, [[6.2, 1.5, 2.0]]])[: 13 if tip else 12]
+    faces = [k for i in range(5) for k in (i, i + 1, i + 7, i + 6)] + [5, 12, 11] * tip
+    return hn.LimitSurface(hn.ControlMesh(points, [4] * 5 + [3] * tip, faces, [], list(corners)))
+
+
+def test_the_surface_beside_a_pointed_face_is_not_ruled():
+    surface = row_between(True)
+    row = hn.RuledRow(surface, range(4))
+    for face, rulings in enumerate(np.split(row.rulings(1000), 4)):
+        assert off_rulings(surface, face, rulings) < 1e-12
+    with pytest.raises(ValueError, match="Face 4 is not of straight lines beside face 5, which"):
+        hn.RuledRow(surface, [3, 4])
+
+
+def test_the_surface_beside_a_corner_is_not_ruled():
+    """But for those at the row's ends, where it has no other face."""
+    surface = row_between(False, [2])
+    for face in (0, 3, 4):
+        rulings = hn.RuledRow(surface, [face]).rulings(1000)
+        assert off_rulings(surface, face, rulings) < 1e-12
+    for face in (1, 2):
+        with pytest.raises(
+            ValueError, match=f"Face {face} is not of straight lines at its point 2"
+        ):
+            hn.RuledRow(surface, [face])
+
+
+def test_flat_faces_are_ruled_whatever_is_beside():
+    mesh = row_between(True, [2]).mesh
+    flat = hn.LimitSurface(mesh.with_points(np.asarray(mesh.points) * [1.0, 1.0, 0.0]))
+    assert hn.RuledRow(flat, range(5)).warps().max() == pytest.approx(0.0, abs=1e-9)
 
 
 def test_warp_is_that_between_normals_at_the_ends():

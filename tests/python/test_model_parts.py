@@ -235,9 +235,24 @@ def test_walls_refused():
         (0.1, 0.0, "positive"),
         (1.0, 0.1, "nothing hollow"),
         (0.1, 1e-4, "would do"),
+        # The side that would do is larger than the wall: other cubes do not help.
+        (1e-3, 1e-4, "take a wall of 0.00[0-9]* or more, and cubes as large, or a smaller model"),
+        (0.3, 0.31, "take them no larger than the wall"),
     ):
         with pytest.raises(ValueError, match=words):
             hn.hollowed(cube(), wall, cell)
+
+
+def test_the_largest_cubes_find_a_wall_however_it_lies():
+    """Larger ones, of 1.3 walls and more, had the hollow joined to what is outside in some."""
+    random = np.random.default_rng(1)
+    for _ in range(60):
+        turn, _ = np.linalg.qr(random.normal(size=(3, 3)))
+        turn *= np.linalg.det(turn)
+        model = hn.ClosedModel(CUBE @ turn.T, CUBE_TRIANGLES)
+        hollow = hn.hollowed(model, 0.3, 0.3)
+        assert hollow.hollows == 1 and 2.0 < hollow.hollow_volume < 1.4**3
+        assert np.abs(hollow.model.points[8:] @ turn).max() < 0.7 + 1e-9
 
 
 def test_wall_ends_when_asked():
@@ -303,6 +318,17 @@ def test_accessibility_is_of_the_segment():
     found = hn.segmented(mushroom(), machine=(4.0, 4.0, 1.2), planes=8)
     assert len(found.segments) == 2 and all(one.can_be_made for one in found.segments)
     assert [one.model.volume for one in found.segments] == pytest.approx([2.5, 2.5])
+
+
+@pytest.mark.parametrize("planes", [4, 5])
+def test_own_faces_between_layers_are_reached_or_not(planes):
+    """A hollow cube is made in halves, whether the hollow's faces lie in planes of the grid, where
+    they once counted as cuts, or not."""
+    points = np.vstack([2.0 * CUBE, CUBE])
+    faces = np.vstack([CUBE_TRIANGLES, np.add([t[::-1] for t in CUBE_TRIANGLES], 8)])
+    found = hn.segmented(hn.ClosedModel(points, faces), machine=BIG_MACHINE, planes=planes)
+    assert len(found.segments) == 2 and all(one.can_be_made for one in found.segments)
+    assert [one.model.volume for one in found.segments] == pytest.approx([28.0, 28.0])
 
 
 def best_by_trial(found):
@@ -387,6 +413,21 @@ def test_dowels():
     assert rims[0] == rims[1] and len(rims[0]) == 64
 
 
+def test_dowels_beside_corners_at_their_depth():
+    """A corner just where a hole and what is left below it ends is in no dowel's way."""
+    rings = [-6.0, -0.5, 6.0]
+    points = np.concatenate([CUBE[[0, 1, 3, 2]] * [1, 1, 0] + [0, 0, z] for z in rings])
+    faces = [(0, 2, 1), (0, 3, 2), (8, 9, 10), (8, 10, 11)]
+    for a in (0, 4):
+        for j in range(4):
+            i, k = a + j, a + (j + 1) % 4
+            faces += [(i, k, k + 4), (i, k + 4, i + 4)]
+    bar = hn.ClosedModel(points, faces)
+    found = hn.segmented(bar, machine=(3.0, 3.0, 3.0), dowel=0.25, dowel_depth=0.375)
+    assert any(one.box[1][2] == 0.0 for one in found.segments)
+    assert len(found.segments) == 4 and found.holes == 12 and found.bare_joints == 0
+
+
 def test_dowels_of_a_hull(tmp_path):
     model = sample_model("coaster", 8e-4)
     found = hn.segmented(
@@ -425,6 +466,7 @@ def test_segments_refused():
         ({"machine": BIG_MACHINE, "making": "casting"}, "thick_layers"),
         ({"machine": BIG_MACHINE, "dowel": 0.1}, "depth"),
         ({"machine": (0.02, 0.02, 0.02)}, "too many"),
+        ({"machine": (1e-12, 1e-12, 1e-12)}, "too many"),
     ):
         with pytest.raises(ValueError, match=words):
             hn.segmented(cube(), **options)

@@ -5,7 +5,7 @@ import hull_native as hn
 import numpy as np
 import pytest
 import vessels
-from plate_hulls import cylinder, one, sphere
+from plate_hulls import cylinder, grid_surface, one, sphere
 
 
 def tube(around=16, rows=4):
@@ -105,6 +105,31 @@ def test_plates_are_let_in_around_openings():
         hn.seams_by_rules(surface, [rule], appendages=[far])
     with pytest.raises(ValueError, match="must be 0 m or more"):
         hn.SeamRule("openings", -0.1)
+
+
+@pytest.mark.parametrize("order", [1, -1])
+@pytest.mark.parametrize("turned", [1, -1])
+@pytest.mark.parametrize(
+    "corners", [[(1, 1), (2, 2)], [(2, 2), (1, 1)], [(2, 1), (1, 2)], [(3, 1), (2, 2), (1, 3)]]
+)
+def test_holes_that_touch(corners, order, turned):
+    """Squares that have corners in common: the plate around them has a loop for each."""
+    x, y = np.meshgrid(np.arange(7.0), np.arange(7.0), indexing="ij")
+    surface = grid_surface(np.stack([x, y, 0.0 * x], axis=-1))
+    curves = hn.HullCurves(surface, 1e-4)
+    square = np.array([(0, 0, 5), (1, 0, 5), (1, 1, 5), (0, 1, 5), (0, 0, 5)], dtype=float)
+    seams = [
+        one(curves.projected(square[::turned] + [*corner, 0.0], direction=(0, 0, -1), name=str(k)))
+        for k, corner in enumerate(corners)
+    ]
+    plates = hn.plates(surface, seams[::order])
+    whole = max(plates, key=lambda p: p.area)
+    assert [len(p.loops) for p in plates if p is not whole] == [1] * len(corners)
+    assert len(whole.loops) == 1 + len(corners)
+    flat = whole.flat()
+    assert flat.area == pytest.approx(36.0 - len(corners), rel=1e-9)
+    for hole in flat.holes:
+        assert enclosed(hole) == pytest.approx(-1.0, rel=1e-9)
 
 
 def test_closed_around_the_hull_is_refused():

@@ -176,6 +176,24 @@ def test_marks_are_clipped_at_seams():
         np.testing.assert_allclose(on_hull[:, 1], 2.5, atol=1e-9)
 
 
+def test_marks_that_begin_and_end_in_the_centre_plane_have_their_other_half():
+    """A moon pool's circle and a keel line on a level bottom across the centre plane."""
+    x, y = np.meshgrid(np.arange(7.0), np.arange(5.0), indexing="ij")
+    surface = grid_surface(np.stack([x, y, 0.0 * x], axis=-1))
+    curves = hn.HullCurves(surface, 1e-5)
+    flat = one(hn.plates(surface, [], across_centre=True)).flat()
+    circle = one(curves.on_cylinder((3.0, 0.0, 0.0), direction=(0.0, 0.0, 1.0), radius=1.0))
+    ((line, on_hull),) = flat.marks(circle)
+    np.testing.assert_allclose(np.hypot(on_hull[:, 0] - 3.0, on_hull[:, 1]), 1.0, atol=1e-5)
+    np.testing.assert_allclose(line[0], line[-1], atol=1e-9)
+    around = np.linalg.norm(np.diff(line, axis=0), axis=1).sum()
+    assert around == pytest.approx(2.0 * np.pi, rel=1e-4)
+    # Along the centre plane there is no other half.
+    (keel,) = (c for c in curves.borders() if np.abs(c.points[:, 1]).max() < 1e-9)
+    ((line, _),) = flat.marks(keel)
+    assert np.linalg.norm(np.diff(line, axis=0), axis=1).sum() == pytest.approx(6.0, rel=1e-9)
+
+
 def test_butts_end_on_seams():
     """Staggered butts: pieces of plane curves between two seams."""
     surface = cylinder()
@@ -192,10 +210,38 @@ def test_butts_end_on_seams():
     assert names == {"", "S1", "S2", "B0", "B1", "B2"}
 
 
+def test_closed_curves_are_cut_at_crossings_alone():
+    """Not where they begin, but for a crossing there."""
+    surface = cylinder()
+    curves = hn.HullCurves(surface, 1e-4)
+    circle = one(curves.on_cylinder((3.0, 2.5, 0.0), direction=(0.0, 0.0, 1.0), radius=1.0))
+    start = circle.points[0]
+    assert np.linalg.norm(start - circle.points[-1]) < 1e-9
+    whole = length(circle)
+    assert len(curves.pieces(circle, [])) == 1
+    for x in (2.3, 3.4, start[0]):
+        pieces = curves.pieces(circle, in_plane(curves, "x", x, "S"))
+        assert len(pieces) == 2
+        for piece in pieces:
+            np.testing.assert_allclose(piece.points[[0, -1], 0], x, atol=1e-6)
+        assert sum(map(length, pieces)) == pytest.approx(whole, rel=1e-9)
+
+
+def length(curve):
+    return np.linalg.norm(np.diff(curve.points, axis=0), axis=1).sum()
+
+
 def test_plates_over_knuckles_are_refused():
     sample, body = body_of("planing_boat")
     with pytest.raises(ValueError, match="A plate goes over a knuckle of .*: put a seam along"):
         hn.plates(body.surface, [])
+
+
+@pytest.mark.parametrize("reach", [1e3, 1e9])
+def test_lines_far_longer_than_the_hull_meet_it(reach):
+    line = [(3.0 - reach, 2.5, 9.0), (3.0 + reach, 2.5, 9.0)]
+    curve = one(hn.HullCurves(cylinder(), 1e-3).projected(line, direction=(0, 0, -1)))
+    np.testing.assert_allclose(curve.points[[0, -1], 0], [0.0, 6.0], atol=1e-6)
 
 
 def test_bad_input_has_its_sentence():

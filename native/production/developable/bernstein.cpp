@@ -27,7 +27,7 @@ void add_sign_changes(const Bernstein& p, const Bernstein& whole, double begin, 
   const double low = p.front(), high = p.back();
   // Sought in the whole polynomial, not in the part, whose coefficients have the rounding of all
   // halvings.
-  if (changes == 1 && (low > 0.0) != (high > 0.0)) {
+  if (changes == 1) {
     roots.push_back(analysis::bracketed_root([&](double t) { return value(whole, t); }, begin, low,
                                              begin + size, high, 1e-16));
     return;

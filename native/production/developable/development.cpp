@@ -22,8 +22,9 @@ double slant(const surface::CurveJet& a, const Vector3d& q) {
   return std::atan2(a.d1.cross(q).norm(), a.d1.dot(q));
 }
 
-// Of a curve seen from a point: the angle of the cone of straight lines, ∫ |r x r'| / r².
-double cone_angle(const BezierChain& curve, double from, double to, const Vector3d& tip) {
+// Of a part of a curve's span seen from a point: the angle of the cone of straight lines,
+// ∫ |r x r'| / r².
+double angle_of_part(const BezierChain& curve, double from, double to, const Vector3d& tip) {
   // Gauss and Legendre's rule on [0, 1].
   constexpr int kNodes = 8;
   static const double kAt[] = {0.0198550717512319, 0.1016667612931866, 0.2372337950418355,
@@ -39,6 +40,18 @@ double cone_angle(const BezierChain& curve, double from, double to, const Vector
     sum += kWeight[k] * r.cross(jet.d1).norm() / r.squaredNorm();
   }
   return std::abs(to - from) * sum;
+}
+
+// Of any part: the curve may bend at its joints, which Gauss's rule must not run over.
+double cone_angle(const BezierChain& curve, double from, double to, const Vector3d& tip) {
+  const double way = to < from ? -1.0 : 1.0;
+  double angle = 0.0, begin = from;
+  double joint = way > 0.0 ? std::floor(from) + 1.0 : std::ceil(from) - 1.0;
+  for (; way * (to - joint) > 0.0; joint += way) {
+    angle += angle_of_part(curve, begin, joint, tip);
+    begin = joint;
+  }
+  return angle + angle_of_part(curve, begin, to, tip);
 }
 
 class Layout {

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "production/developable/ruled_row.h"
 
+#include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 #include <stdexcept>
 
+#include "mesh/tolerances.h"
+#include "surface/eigenbasis/neighbourhood.h"
 #include "surface/pieces/point_weights.h"
 
 namespace hull::production {
@@ -52,6 +56,49 @@ Rows bezier_rows(surface::PointWeights& weights, const Topology& control, int h,
 }
 
 std::string named(int face) { return "Face " + std::to_string(face); }
+
+// Whether all control points that a face's surface is made of lie in one plane: the surface is that
+// plane then, whatever the rules.
+bool is_flat(const surface::LimitSurface& surface, surface::PointWeights& weights, int face) {
+  const mesh::ControlMesh& mesh = surface.mesh();
+  const int first = mesh.topology().first_half_edge(face);
+  const auto corner = [&](int i) { return mesh.points()[mesh.topology().origin(first + i)]; };
+  const Vector3d normal = (corner(2) - corner(0)).cross(corner(3) - corner(1)).normalized();
+  if (normal.norm() == 0.0) return false;
+  // A cell for each corner; in its middle all of its points count.
+  for (int i = 0; i < 4; ++i) {
+    for (const surface::PointWeight& one : weights.at(first + i, 0.5, 0.5)) {
+      const double off = normal.dot(mesh.points()[one.point] - corner(0));
+      if (std::abs(off) > kInPlane * mesh.size()) return false;
+    }
+  }
+  return true;
+}
+
+// Refuses a face whose surface is more than the rulings between its sides' curves. At each step of
+// the subdivision the point of a side across must be the mean of its ends' new points: so it is
+// where these have no face but the row's two beside them, or, at the row's end, are corners, and
+// where the face beyond has its middle, too, halfway between its creases.
+void check_ruled(const surface::LimitSurface& surface, surface::PointWeights& weights, int face,
+                 int side) {
+  const Topology& control = surface.mesh().topology();
+  const int first = control.first_half_edge(face);
+  for (int i = 0; i < 4; ++i) {
+    if (surface::is_regular_corner(control, first + i) || is_flat(surface, weights, face)) continue;
+    throw std::invalid_argument(named(face) + " is not of straight lines at its point " +
+                                std::to_string(control.origin(first + i)) +
+                                ", where knuckles bend or meet beside the row: leave the face out, "
+                                "or, at the row's end, make the point a corner.");
+  }
+  for (const int across : {first + (side + 1) % 4, first + (side + 3) % 4}) {
+    const int beyond = control.is_crease(across) ? -1 : control.twin(across);
+    if (beyond < 0 || control.face_size(control.face(beyond)) == 4) continue;
+    if (is_flat(surface, weights, face)) continue;
+    throw std::invalid_argument(named(face) + " is not of straight lines beside face " +
+                                std::to_string(control.face(beyond)) +
+                                ", which has not four points: leave the face out, too.");
+  }
+}
 
 // Which of the sides 0 and 1 of a face runs along the chains; -1 if neither can.
 class Sides {
@@ -125,6 +172,7 @@ RuledRow::RuledRow(const surface::LimitSurface& surface, const std::vector<int>&
       }
       own.insert(control.origin(corner));
     }
+    check_ruled(surface, weights, face, side);
     // The opposite side runs against this one: backwards, so that rulings join equal parameters.
     rows.push_back(
         {bezier_rows(weights, control, h, false), bezier_rows(weights, control, other, true)});

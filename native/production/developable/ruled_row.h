@@ -10,7 +10,8 @@
 namespace hull::production {
 
 // Faces of a control mesh between two chains of creases or borders. By the crease rule the surface
-// of each is just (1 - v) a(t) + v b(t), a and b being the curves of its creases.
+// of each is just (1 - v) a(t) + v b(t), a and b being the curves of its creases, where the mesh
+// beside is as regular as the row, and where all is flat.
 class RuledRow {
  public:
   // Of one face. Control points by their places in points().
@@ -20,10 +21,11 @@ class RuledRow {
     Eigen::MatrixXd a, b;  // 4 x points: Bézier points from control points
   };
 
-  // Throws std::invalid_argument without faces, for one that is not of four points, and for one
-  // without creases or borders along two opposite sides, naming it and the remedy; and for darts at
-  // these. Where all sides are creases, rulings run across the longer ones, or as in the face
-  // beside.
+  // Throws std::invalid_argument without faces, for one that is not of four points, for one without
+  // creases or borders along two opposite sides, naming it and the remedy; for darts at these; and
+  // where the surface is not ruled, unless it is flat: at a corner at which it has another face, at
+  // a point of a crease at which it has not just two, and beside a face that is not of four points.
+  // Where all sides are creases, rulings run across the longer ones, or as in the face beside.
   RuledRow(const surface::LimitSurface& surface, const std::vector<int>& faces);
 
   // All control points that the curves depend on, rising.

@@ -10,6 +10,8 @@ namespace hull::production {
 namespace {
 
 constexpr double kNoSine = 1e-9;  // of an angle with a direction: along it
+// Of the size of strip and polyline: what is so near behind a ray's start is at it.
+constexpr double kOnStrip = 1e-12;
 
 // Unit vector. `what` names it in the error.
 Vector3d unit_of(const Vector3d& v, const char* what) {
@@ -43,8 +45,9 @@ struct Meeting {
   double ray;    // m on the ray
 };
 
+// `zero`: a distance, m, that is rounding.
 std::optional<Meeting> meeting(const Vector3d& from, const Vector3d& to, const Vector3d& direction,
-                               const Vector3d& on_a, const Vector3d& on_b) {
+                               const Vector3d& on_a, const Vector3d& on_b, double zero) {
   // The ruling's line is cut by the plane of the segment and its rays.
   const Vector3d way = to - from, q = on_b - on_a, normal = direction.cross(way);
   const double rise = normal.dot(q);
@@ -60,7 +63,7 @@ std::optional<Meeting> meeting(const Vector3d& from, const Vector3d& to, const V
   // Ends count, so that a ruling is not missed between two segments.
   constexpr double kEnd = 1e-12;
   const auto within = [](double t) { return t >= -kEnd && t <= 1.0 + kEnd; };
-  if (!within(along) || !within(part) || ray < 0.0) return std::nullopt;
+  if (!within(along) || !within(part) || ray < -zero) return std::nullopt;
   return Meeting{std::clamp(along, 0.0, 1.0), ray};
 }
 
@@ -102,6 +105,16 @@ std::vector<StripLine> projected_on(const StripBetween& strip, const std::vector
   if (points.size() < 2) {
     throw std::invalid_argument("A line that is projected must have two points or more.");
   }
+  // A polyline that lies on the strip is met, whatever rounding says of its side.
+  Eigen::AlignedBox3d box;
+  for (const Vector3d& p : points) {
+    if (!p.allFinite()) throw std::invalid_argument("The points of a line must be finite.");
+    box.extend(p);
+  }
+  for (const Ruling& one : strip.strip.rulings) {
+    box.extend(strip.a.at(one.s).point).extend(strip.b.at(one.t).point);
+  }
+  const double zero = kOnStrip * box.diagonal().norm();
   std::vector<StripLine> lines;
   int last = -2;  // no ruling is after that: the first one that is met begins a line
   for (int i = 0; i < static_cast<int>(strip.strip.rulings.size()); ++i) {
@@ -109,7 +122,7 @@ std::vector<StripLine> projected_on(const StripBetween& strip, const std::vector
     const Vector3d on_a = strip.a.at(ruling.s).point, on_b = strip.b.at(ruling.t).point;
     std::optional<Meeting> first;
     for (std::size_t k = 0; k + 1 < points.size(); ++k) {
-      const auto met = meeting(points[k], points[k + 1], ray, on_a, on_b);
+      const auto met = meeting(points[k], points[k + 1], ray, on_a, on_b, zero);
       if (met && (!first || met->ray < first->ray)) first = met;
     }
     if (!first) continue;

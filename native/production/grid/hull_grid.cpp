@@ -20,6 +20,8 @@ class GridBuilder {
         numbers_(surface_.cells(), sides.divisions()) {}
 
   HullGrid build() {
+    grid_.points.resize(numbers_.count());
+    done_.resize(numbers_.count(), 0);
     for (int cell = 0; cell < surface_.cell_count(); ++cell) {
       surface::tell(options_.progress, cell, surface_.cell_count());
       add_cell(cell);
@@ -43,8 +45,6 @@ class GridBuilder {
  private:
   void add_cell(int cell) {
     const int nu = sides_.divisions().u(cell), nv = sides_.divisions().v(cell);
-    grid_.points.resize(numbers_.count());
-    done_.resize(numbers_.count(), 0);
     std::vector<Eigen::Vector2d> uv;
     for (int j = 0; j <= nv; ++j) {
       for (int i = 0; i <= nu; ++i) {

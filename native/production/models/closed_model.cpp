@@ -142,6 +142,10 @@ ClosedModel scaled(const ClosedModel& model, double factor) {
   ClosedModel result = model;
   for (Vector3d& p : result.points) {
     for (int k = 0; k < 3; ++k) p[k] = in_single_precision(factor * p[k]);
+    if (!p.allFinite()) {
+      throw std::invalid_argument(
+          "At this scale the model is larger than single precision can tell; take a smaller one.");
+    }
   }
   weld(result, 0.0);
   if (result.triangles.empty()) {

@@ -33,8 +33,8 @@ ClosedModel closed_model(const analysis::HullBody& body, double chord_tolerance,
 
 // All lengths times `factor`, in single precision as most files have them; triangles that vanish
 // by this are left out together with the side that they had in common, so that the model stays
-// closed. Throws std::invalid_argument unless the factor is positive and finite, and if nothing is
-// left.
+// closed. Throws std::invalid_argument unless the factor is positive and finite, where points
+// would not be finite in that precision, and if nothing is left.
 ClosedModel scaled(const ClosedModel& model, double factor);
 
 // Leaves out points that no triangle has.

@@ -24,12 +24,27 @@ void check_lengths(double wall, double cell) {
   throw std::invalid_argument(words.str());
 }
 
-void check_count(double area, double cell) {
+// Both ends of a tetrahedron's side, a cube's diagonal at most, are inside or in the wall then: of
+// longer ones they could be further than the wall from the skin that passes between them.
+void check_cell(double wall, double cell) {
+  if (cell <= wall) return;
+  std::ostringstream words;
+  words << "Cubes of " << cell << " could miss a wall of " << wall
+        << "; take them no larger than the wall.";
+  throw std::invalid_argument(words.str());
+}
+
+void check_count(double area, double wall, double cell) {
   if (kCellsOfArea * area / (cell * cell) <= kMostWallCells) return;
+  const double enough = 1.01 * std::sqrt(kCellsOfArea * area / kMostWallCells);
   std::ostringstream words;
   words << "Cubes of " << cell << " for the inner side of the wall would be more than "
-        << kMostWallCells << "; " << 1.01 * std::sqrt(kCellsOfArea * area / kMostWallCells)
-        << " would do.";
+        << kMostWallCells << "; ";
+  if (enough <= wall) {
+    words << enough << " would do.";
+  } else {
+    words << "take a wall of " << enough << " or more, and cubes as large, or a smaller model.";
+  }
   throw std::invalid_argument(words.str());
 }
 
@@ -46,7 +61,8 @@ double volume_of(const std::vector<Vector3d>& points,
 HollowModel hollowed(const ClosedModel& model, double wall, double cell,
                      const surface::Progress& progress) {
   check_lengths(wall, cell);
-  check_count(model.area(), cell);
+  check_cell(wall, cell);
+  check_count(model.area(), wall, cell);
   const TriangleTree tree(model);
   LevelMesher mesher(model, tree, wall, cell);
   mesher.find_cells(surface::part_of(progress, 0.0, 0.6));

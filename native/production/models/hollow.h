@@ -24,8 +24,9 @@ inline constexpr double kMostWallCells = 3e6;
 // of `cell` over the radius of the inner surface; along its knuckles, which are cut off within a
 // cube, by less than `cell`, on the thicker side.
 //
-// Throws std::invalid_argument unless both lengths are positive, for more than kMostWallCells
-// cubes, naming a side that would do, and where nothing is thicker than twice the wall.
+// Throws std::invalid_argument unless both lengths are positive and `cell` is at most `wall`, for
+// more than kMostWallCells cubes, naming what would do, and where nothing is thicker than twice the
+// wall.
 HollowModel hollowed(const ClosedModel& model, double wall, double cell,
                      const surface::Progress& progress = {});
 

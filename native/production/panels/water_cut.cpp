@@ -2,6 +2,7 @@
 #include "production/panels/water_cut.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <numbers>
 
@@ -244,7 +245,7 @@ void WaterCut::add_polygon(Polygon polygon) {
       second = other;
     }
   }
-  if (first.empty()) return add_panel(polygon);
+  assert(!first.empty());  // from a wet corner there is a diagonal
   add_polygon(std::move(first));
   add_polygon(std::move(second));
 }

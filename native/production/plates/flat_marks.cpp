@@ -99,9 +99,10 @@ std::vector<FlatMark> with_mirror_images(const FlatPlate& flat,
       std::reverse(m.points.begin(), m.points.end());
       std::reverse(m.on_hull.begin(), m.on_hull.end());
     };
-    const bool ends = is_central(surface, mark.on_hull.back());
-    const bool begins = is_central(surface, mark.on_hull.front());
-    if (begins && ends) {  // along the centre plane
+    const auto is_on = [&surface](const Vector3d& p) { return is_central(surface, p); };
+    const bool ends = is_on(mark.on_hull.back()), begins = is_on(mark.on_hull.front());
+    // Along the centre plane; one that only begins and ends in it goes on in its mirror image.
+    if (std::all_of(mark.on_hull.begin(), mark.on_hull.end(), is_on)) {
       all.push_back(std::move(mark));
       continue;
     }

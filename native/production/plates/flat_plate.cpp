@@ -100,7 +100,8 @@ void measure_bending(FlatPlate& flat) {
   // A radius of 1e9 of the plate's size is a plane's.
   const bool is_plane = values[most] * size < 1e-9;
   flat.rolling_radius = is_plane ? std::numeric_limits<double>::infinity() : 1.0 / values[most];
-  flat.rolling_angle = is_plane ? 0.0 : std::atan(axis.y() / axis.x());
+  const double angle = is_plane ? 0.0 : std::atan(axis.y() / axis.x());
+  flat.rolling_angle = angle == -M_PI / 2 ? M_PI / 2 : angle;  // the same line, told in one way
 }
 
 // The line on which the corners in the centre plane lie; and how far they are off it, at most, m.

@@ -220,7 +220,9 @@ std::vector<SurfaceCurve> HullCurves::along_rays(
   std::vector<double> parameters;
   for (std::size_t k = 0; k + 1 < points.size(); ++k) {
     const double length = (points[k + 1] - points[k]).norm();
-    const int parts = std::clamp(static_cast<int>(200.0 * length / tree_.size()), 1, 400);
+    // Bounded before it is a whole number, which may not hold it; what is no number is one part.
+    const int parts =
+        static_cast<int>(std::min(std::max(1.0, 200.0 * length / tree_.size()), 400.0));
     for (int i = 0; i < parts; ++i) {
       parameters.push_back(static_cast<double>(k) + static_cast<double>(i) / parts);
     }

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <map>
 #include <numeric>
+#include <set>
 #include <stdexcept>
 
 #include "production/plates/across_centre.h"
@@ -29,6 +30,7 @@ class Sides {
     for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
       for (int i = 0; i < 3; ++i) {
         auto [found, is_first] = triangles_.try_emplace(key(t, i), std::array<int, 2>{t, -1});
+        if (is_first) keys_.push_back(found->first);
         if (!is_first) found->second[1] = t;
       }
     }
@@ -38,7 +40,9 @@ class Sides {
     const auto& points = mesh_.triangles[t].points;
     return ShellMesh::pair_key(points[i], points[(i + 1) % 3]);
   }
-  const std::unordered_map<std::uint64_t, std::array<int, 2>>& all() const { return triangles_; }
+  // By triangles: the same order each time, and so are sums over them.
+  const std::vector<std::uint64_t>& keys() const { return keys_; }
+  const std::array<int, 2>& triangles(std::uint64_t key) const { return triangles_.at(key); }
   bool is_open(std::uint64_t key) const {
     return triangles_.at(key)[1] < 0 || mesh_.seams.contains(key);
   }
@@ -51,6 +55,7 @@ class Sides {
  private:
   const ShellMesh& mesh_;
   std::unordered_map<std::uint64_t, std::array<int, 2>> triangles_;
+  std::vector<std::uint64_t> keys_;
 };
 
 class Divider {
@@ -110,8 +115,8 @@ void Divider::group() {
     while (root[t] != t) t = root[t] = root[root[t]];
     return t;
   };
-  // The order of the table does not matter: groups are the same ones, and numbered by triangles.
-  for (const auto& [key, pair] : sides_.all()) {
+  for (const std::uint64_t key : sides_.keys()) {
+    const std::array<int, 2>& pair = sides_.triangles(key);
     if (!sides_.is_open(key)) root[find(pair[0])] = find(pair[1]);
   }
   std::map<int, int> number;
@@ -129,9 +134,11 @@ void Divider::leave_out_loose() {
   // By curve, so that they are told of in the curves' order.
   std::map<int, LooseStretch> found;
   std::map<int, double> longest;
-  for (const auto& [key, pair] : sides_.all()) {
+  for (const std::uint64_t key : sides_.keys()) {
     const auto seam = mesh_.seams.find(key);
-    if (seam == mesh_.seams.end() || !has_one_plate(pair) || is_sharp(key)) continue;
+    if (seam == mesh_.seams.end() || !has_one_plate(sides_.triangles(key)) || is_sharp(key)) {
+      continue;
+    }
     LooseStretch& stretch =
         found.try_emplace(seam->second, LooseStretch{seam->second}).first->second;
     const double length = (mesh_.points[key >> 32] - mesh_.points[key & 0xffffffffu]).norm();
@@ -147,8 +154,8 @@ void Divider::leave_out_loose() {
 }
 
 void Divider::check() const {
-  for (const auto& [key, pair] : sides_.all()) {
-    if (!has_one_plate(pair)) continue;
+  for (const std::uint64_t key : sides_.keys()) {
+    if (!has_one_plate(sides_.triangles(key))) continue;
     if (const auto seam = mesh_.seams.find(key); seam != mesh_.seams.end()) {
       throw std::invalid_argument(
           "The curve \"" + shell_.curves[seam->second].name +
@@ -185,7 +192,9 @@ void Divider::measure() {
   }
 }
 
-// Where borders of the plate touch in a point the loop goes on along any of them.
+// Where borders of the plate touch in a point the loop may go on along any of them: what runs back
+// to such a point is a loop of its own, so that none passes a point twice. A plate whose loops were
+// joined there would not be the disc with holes that it is.
 std::vector<std::vector<PlateSide>> Divider::loops_of(const Plate& plate) const {
   // Triangles have their inside, and so the plate, to the left of their sides.
   std::multimap<int, int> next;
@@ -194,6 +203,10 @@ std::vector<std::vector<PlateSide>> Divider::loops_of(const Plate& plate) const 
       const auto& points = mesh_.triangles[t].points;
       if (sides_.is_open(sides_.key(t, i))) next.emplace(points[i], points[(i + 1) % 3]);
     }
+  }
+  std::set<int> touching;
+  for (auto side = next.begin(); side != next.end(); ++side) {
+    if (next.count(side->first) > 1) touching.insert(side->first);
   }
   std::vector<std::vector<PlateSide>> loops;
   while (!next.empty()) {
@@ -204,6 +217,11 @@ std::vector<std::vector<PlateSide>> Divider::loops_of(const Plate& plate) const 
       if (found == next.end()) break;
       loop.push_back(found->second);
       next.erase(found);
+      if (!touching.contains(loop.back())) continue;
+      const auto before = std::find(loop.begin(), loop.end() - 1, loop.back());
+      if (before == loop.begin() || before == loop.end() - 1) continue;
+      loops.push_back(sides_of(std::vector<int>(before, loop.end())));
+      loop.erase(before + 1, loop.end());
     } while (loop.back() != loop.front());
     loops.push_back(sides_of(std::move(loop)));
   }

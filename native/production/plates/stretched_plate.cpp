@@ -106,7 +106,7 @@ std::vector<PlatePoint> settle(FlatPlate& flat, const Plate& plate, double poiss
 }
 
 double error_after(double before, double change) {
-  if (change > kSlowest * before) return change;
+  if (change >= kSlowest * before) return change;  // none after none, too
   const double ratio = std::max(change / before, kFastest);
   // The sum of change ratio^k over k > 0.
   return change * ratio / (1.0 - ratio);

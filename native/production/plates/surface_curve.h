@@ -48,7 +48,8 @@ SurfaceCurve joined(const surface::LimitSurface& surface, const surface::Surface
 bool is_on(const surface::LimitSurface& surface, const SurfaceCurve& curve);
 void require_on(const surface::LimitSurface& surface, const SurfaceCurve& curve);
 
-// The pieces of a curve between its crossings with others, in order. Ends lie on these to rounding.
+// The pieces of a curve between its crossings with others, in order; a closed curve has none that
+// ends in its start, unless that is a crossing. Ends lie on these to rounding.
 // Throws std::invalid_argument as require_on(), of all of them.
 std::vector<SurfaceCurve> pieces_between(const surface::LimitSurface& surface,
                                          const SurfaceCurve& curve,

@@ -11,7 +11,12 @@ namespace {
 
 int bin_of(double place, double low, double step, int count) {
   const double bin = std::floor((place - low) / step);
-  return static_cast<int>(std::clamp(bin, 0.0, count - 1.0));
+  // In this order what is no number, as of a model too large for sums of its coordinates, is 0.
+  return static_cast<int>(std::min(std::max(0.0, bin), count - 1.0));
+}
+
+int bin_count(double wanted) {
+  return static_cast<int>(std::min(std::max(1.0, std::ceil(wanted)), 4096.0));  // as in bin_of()
 }
 
 // Where the line along an axis through a point meets a triangle; area: twice the triangle's, as it
@@ -46,8 +51,7 @@ AxisRays::AxisRays(const ClosedModel& model, int axis)
   // those that it meets.
   const double wide = std::max(box.sizes()[u_], 1e-300), high = std::max(box.sizes()[v_], 1e-300);
   const double side = std::sqrt(wide * high / std::max<double>(1.0, model.triangles.size()));
-  columns_ = static_cast<int>(std::clamp(std::ceil(wide / side), 1.0, 4096.0));
-  rows_ = static_cast<int>(std::clamp(std::ceil(high / side), 1.0, 4096.0));
+  columns_ = bin_count(wide / side), rows_ = bin_count(high / side);
   low_u_ = box.min()[u_], low_v_ = box.min()[v_];
   step_u_ = wide / columns_, step_v_ = high / rows_;
   bins_.resize(static_cast<std::size_t>(columns_) * rows_);

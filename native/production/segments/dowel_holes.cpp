@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "production/models/model_cut.h"
+#include "production/segments/clipped_polygon.h"
 
 namespace hull::production {
 
@@ -23,7 +24,8 @@ using Polygon = std::vector<Vector2d>;
 double distance_to(const Polygon& polygon, const Vector2d& p) {
   double least = std::numeric_limits<double>::infinity();
   // Polygons are convex: a place is inside where it lies on one side of all of their sides.
-  bool left = polygon.size() > 2, right = left;
+  // Without area, all on one line or in one point, it has no inside.
+  bool left = polygon.size() > 2, right = left, has_area = false;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Vector2d &a = polygon[i], ab = polygon[(i + 1) % polygon.size()] - a;
     const double length = ab.squaredNorm();
@@ -32,8 +34,9 @@ double distance_to(const Polygon& polygon, const Vector2d& p) {
     const double side = cross(ab, p - a);
     left = left && side >= 0.0;
     right = right && side <= 0.0;
+    has_area = has_area || side != 0.0;
   }
-  return left || right ? 0.0 : least;
+  return has_area && (left || right) ? 0.0 : least;
 }
 
 // What of a segment is near a plane, on one side of it, seen along the axis: its faces in the plane
@@ -67,18 +70,6 @@ class JointSide {
   }
 
  private:
-  static std::vector<Vector3d> clipped(const std::vector<Vector3d>& polygon, int axis, double at,
-                                       double sign) {
-    std::vector<Vector3d> result;
-    for (std::size_t i = 0; i < polygon.size(); ++i) {
-      const Vector3d &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
-      const double ha = sign * (a[axis] - at), hb = sign * (b[axis] - at);
-      if (ha >= 0.0) result.push_back(a);
-      if ((ha < 0.0) != (hb < 0.0)) result.push_back(a + ha / (ha - hb) * (b - a));
-    }
-    return result;
-  }
-
   std::vector<Polygon> face_, around_;
 };
 

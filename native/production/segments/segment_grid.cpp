@@ -39,10 +39,13 @@ std::vector<double> spaced(double low, double high, int layers, double size) {
 }
 
 int layers_for(double extent, double longest, int planes, const SegmentRules& rules) {
-  int layers = static_cast<int>(std::lround(planes * extent / longest));
   // At least so many that a layer fits the machine whichever way round the segment lies.
-  layers = std::max(layers, static_cast<int>(std::ceil(extent / rules.machine.minCoeff())));
-  layers = std::clamp(layers, kFewestPlanes, kMostPlanes);
+  const double wanted =
+      std::max(std::round(planes * extent / longest), std::ceil(extent / rules.machine.minCoeff()));
+  // Bounded before it is a whole number, which may not hold it; in this order what is no number is
+  // the fewest.
+  const int layers =
+      static_cast<int>(std::min(std::max(1.0 * kFewestPlanes, wanted), 1.0 * kMostPlanes));
   return layers + layers % 2;
 }
 
@@ -106,6 +109,7 @@ SegmentGrid::SegmentGrid(const ClosedModel& model, const SegmentRules& rules,
   for (int a = 0; a < 3; ++a) {
     planes_[a] = spaced(box.min()[a], box.max()[a], counts[a], size_);
   }
+  find_level_faces(model);
   const ModelRays rays(model, kOffFace * size_);
   const auto layers = [this](int a) { return static_cast<int>(planes_[a].size()) - 1; };
   cells_.resize(static_cast<std::size_t>(layers(0)) * layers(1) * layers(2));
@@ -140,6 +144,7 @@ void SegmentGrid::take_faces(const ClosedModel& piece, const std::array<int, 3>&
     const double area = across.norm();
     if (area > 0.0 && !take_cap(face, area, at, cell)) take_face(face, across, cell, rays);
   }
+  take_level_faces(at, cell, rays);
 }
 
 // Whether the face is in a plane between cells.

@@ -51,8 +51,10 @@ class SegmentGrid {
 
   void take_faces(const ClosedModel& piece, const std::array<int, 3>& at, Cell& cell,
                   const ModelRays& rays);
+  void find_level_faces(const ClosedModel& model);
   bool take_cap(const std::array<Vector3d, 3>& face, double area, const std::array<int, 3>& at,
                 Cell& cell) const;
+  void take_level_faces(const std::array<int, 3>& at, Cell& cell, const ModelRays& rays) const;
   void take_face(const std::array<Vector3d, 3>& face, const Vector3d& across, Cell& cell,
                  const ModelRays& rays) const;
   const Cell& cell(int i, int j, int k) const;
@@ -63,6 +65,8 @@ class SegmentGrid {
 
   SegmentRules rules_;
   std::array<std::vector<double>, 3> planes_;
+  // The model's own faces in planes between cells, by the direction that they face and the plane.
+  std::array<std::vector<std::vector<std::array<Vector3d, 3>>>, 6> level_faces_;
   std::vector<Cell> cells_;
   double size_ = 0.0;
   double faces_ = 0.0, face_ = 0.0;  // how many the model has, and the mean area of one
