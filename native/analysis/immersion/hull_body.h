@@ -46,9 +46,10 @@ class HullBody {
   // computed again. Throws std::invalid_argument if the body is out of date.
   HullBody(const HullBody& body, const surface::LimitSurface& copy);
 
-  // The same for one water alone, not heeled: from the next update() on there is no more than its
-  // immersion, whose wetted surface is not measured, sections and places. What is above the water
-  // is not computed, and faces that come to be turned inwards are not noticed.
+  // The hull alone, without what is joined, for one water alone, not heeled: from the next update()
+  // on there is no more than its immersion, whose wetted surface is not measured, sections and
+  // places. What is above the water is not computed, and faces that come to be turned inwards are
+  // not noticed.
   HullBody(const HullBody& body, const surface::LimitSurface& copy, const Plane& water);
 
   // To be called after surface.set_points(). Only what has moved is computed again, but for what
