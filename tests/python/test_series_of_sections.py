@@ -245,7 +245,8 @@ def test_camber_is_in_proportion_and_names_have_many_forms():
 
 @pytest.mark.parametrize("name", [
     "63-412", "65-618", "63-412 a=0.8", "65-415 a=0.5", "64A010", "64A410", "23112", "0012-64",
-    "2412-34", "23012-64", "64-108",
+    "2412-34", "23012-64", "64-108", "25012-64", "63-412 a=0.99", "63-412 a=0.9999",
+    "63-412 a=0.0002", "63-412 a=0.00005",
 ])  # fmt: skip
 def test_splines_follow_the_outline(name):
     """Cubics of bodies: at quarters of each within 1e-6 of the chord of the outline, and not many
@@ -263,6 +264,23 @@ def test_splines_follow_the_outline(name):
             powers = np.array([q**3, 3 * q * q * t, 3 * q * t * t, t**3])
             cubic = np.einsum("k,nkc->nc", powers, half)
             assert max(distance(outline, point) for point in cubic) < 1.2e-6, (lower, t)
+
+
+@pytest.mark.parametrize("name", ["63-412 a=0.98", "63-412 a=0.99", "65-618 a=0.99999"])
+def test_foils_reach_their_trailing_edges(name):
+    """Where the load begins to fall next to it, too."""
+    parts = np.array(hn.SectionForm(name).spline())
+    assert parts[0, 0] == pytest.approx((1.0, 0.0), abs=1e-9)
+    assert parts[-1, 3] == pytest.approx((1.0, 0.0), abs=1e-9)
+
+
+def test_places_where_formulas_meet_are_knots():
+    """That of the mean line, 0.391, and that of the thickness, 0.4, next to one another."""
+    parts = np.array(hn.SectionForm("25012-64").spline())
+    form = hn.SectionForm("25012-64")
+    for place in (0.391, 0.4):
+        end = np.array(form.point(place))
+        assert np.linalg.norm(parts[:, 0] - end, axis=1).min() < 1e-12, place
 
 
 def distance(line, point):
