@@ -143,6 +143,13 @@ def test_bodies_of_one_mesh_that_overlap():
     assert body.immersion(UP, 2.75).volume == pytest.approx(104, abs=1e-9)
 
 
+def test_foils_have_finite_thicknesses():
+    for which in ("root_thickness", "tip_thickness"):
+        for thickness in (math.inf, math.nan, -0.1):
+            with pytest.raises(ValueError, match="(root|tip)'s thickness"):
+                hn.foil("0012", (6, 0, 0), (6, 0, -1), 2.0, **{which: thickness})
+
+
 def test_surfaces_in_one_another_are_refused():
     _, body = box_hull()
     with pytest.raises(ValueError, match="lie in one another"):
