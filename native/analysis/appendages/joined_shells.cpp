@@ -227,6 +227,7 @@ std::vector<std::string> JoinedShells::idle_cuts() const {
 // A closed surface has no ∫ n dS, and each of its three fluxes is its volume.
 void JoinedShells::check_closed() const {
   Eigen::AlignedBox3d least = members_.front().shell.box();
+  if (members_.empty()) return;
   for (const JoinedMember& member : members_) {
     // A gap beside the smallest member must not be lost in the size of the hull.
     if (volume_of(member.shell.box()) < volume_of(least)) least = member.shell.box();
