@@ -171,6 +171,17 @@ def test_sheets_among_the_hull_s_bodies_have_no_volume(corners):
         assert body.joined_volume == pytest.approx(bare.joined_volume, abs=1e-9)
 
 
+def test_many_bodies_of_a_hull():
+    """Three hundred boxes side by side, and a tunnel through one: that patches are there does not
+    count as surfaces that lie in one another."""
+    ends = [((2 * i, 2 * j, 0), (2 * i + 1, 2 * j + 1, 1)) for i in range(15) for j in range(20)]
+    _, body = box_body(*ends)
+    body.join([])
+    assert body.joined_volume == 0.0
+    body.join([hn.cylinder((0.5, -0.1, 0.5), (0.5, 1.1, 0.5), 0.2, cut=True)])
+    assert body.joined_volume == pytest.approx(-math.pi * 0.04, abs=1e-9)
+
+
 def test_foils_have_finite_thicknesses():
     for which in ("root_thickness", "tip_thickness"):
         for thickness in (math.inf, math.nan, -0.1):
