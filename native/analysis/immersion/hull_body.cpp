@@ -285,6 +285,11 @@ double HullBody::volume_abaft(const Plane& water, double x) const {
     throw std::invalid_argument("The body is divided by a station upright: set the heel to zero.");
   }
   if (!std::isfinite(x)) throw std::invalid_argument("The station's x must be a finite number.");
+  if (joined_) {
+    throw std::invalid_argument(
+        "A body to which others are joined is not divided by a station: ask one of the hull "
+        "alone.");
+  }
   const std::array<Plane, 2> planes{water, Plane{Vector3d::UnitX(), x}};
   const Wet wet = wet_part(planes);
   return (mirrored_ ? 2.0 : 1.0) * (wet.shell.first(1, 1) + wet.caps.first(1, 1));

@@ -97,7 +97,8 @@ class HullBody {
   Immersion immersion(const Plane& water) const;
 
   // m³ of the immersed body abaft x, both sides; as exact as the volume of immersion(). Throws
-  // std::invalid_argument as that does, if the water is heeled, and if x is not finite.
+  // std::invalid_argument as that does, if the water is heeled, if x is not finite, and after
+  // join().
   double volume_abaft(const Plane& water, double x) const;
 
   // Throws std::invalid_argument if the water rises above an opening that is not closed ("floods at
