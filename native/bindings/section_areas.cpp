@@ -100,7 +100,7 @@ void bind_section_areas(py::module_& module) {
       py::arg("body"), py::arg("x"), py::kw_only(), py::arg("draft"), py::arg("trim") = 0.0,
       py::arg("draft_at") = 0.0, py::call_guard<py::gil_scoped_release>(),
       "Displaced volume abaft the station x (m), m³, both sides, upright; as exact as that of the "
-      "whole. draft, trim and draft_at as section_areas() takes them.");
+      "whole. draft, trim and draft_at as section_areas() takes them. ValueError after join().");
 
   using B = analysis::BonjeanCurves;
   py::class_<B>(module, "BonjeanCurves",

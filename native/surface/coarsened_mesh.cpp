@@ -4,8 +4,10 @@
 #include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <optional>
 #include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "mesh/parent_faces.h"
@@ -43,6 +45,20 @@ class Coarsener {
     });
   }
 
+  // What is wrong, with the first point of it in the finer mesh. REQUIRES: !is_mesh().
+  std::string fault() const {
+    // Errors come first.
+    const mesh::MeshProblem& problem = problems_.front();
+    const std::string words =
+        "its faces, put together around their common points, would make no valid "
+        "mesh";
+    if (problem.elements.empty()) return words;
+    const int element = problem.elements.front();
+    const bool is_face = problem.kind == mesh::ElementKind::kFace;
+    return words + ", as at point " +
+           std::to_string(is_face ? first_point(element) : points_[element]);
+  }
+
   // REQUIRES: is_mesh().
   CoarsenedMesh fitted() const {
     const Rows rows = subdivision();
@@ -65,6 +81,12 @@ class Coarsener {
 
  private:
   const mesh::Topology& fine() const { return fine_.topology(); }
+
+  // In the finer mesh, of a face of the coarser one.
+  int first_point(int face) const {
+    const auto begin = parents_.sizes.begin();
+    return fine().origin(parents_.cells[std::accumulate(begin, begin + face, 0)]);
+  }
 
   void number_points() {
     number_.assign(fine().vertex_count(), -1);
@@ -222,9 +244,8 @@ CoarsenedMesh coarsened_mesh(const LimitSurface& surface) {
   const ParentFaces parents = joined(chosen);
   const Coarsener coarsener(fine, surface.scheme(), parents);
   if (!coarsener.is_mesh()) {
-    throw std::invalid_argument(
-        "The mesh is no subdivided one: its faces, put together around "
-        "their common points, would make no valid mesh.");
+    throw std::invalid_argument("The mesh is no subdivided one: " + coarsener.fault() +
+                                ". Take back what changed faces or creases there.");
   }
   return coarsener.fitted();
 }

@@ -11,10 +11,11 @@
 namespace hull::surface {
 namespace {
 
-// Exactly at the corner: anything beside it, however near, lies in a ring and has derivatives.
+// At the corner itself: what lies beside it, by kAtCorner or more, is in a ring and has
+// derivatives.
 bool is_knot(const PlaceInCell& place) {
   return place.node.kind == SurfaceNode::Kind::kCorner &&
-         turned(place.node.turn, place.u, place.v).isZero(0.0);
+         turned(place.node.turn, place.u, place.v).maxCoeff() < kAtCorner;
 }
 
 }  // namespace

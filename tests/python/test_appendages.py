@@ -143,6 +143,52 @@ def test_bodies_of_one_mesh_that_overlap():
     assert body.immersion(UP, 2.75).volume == pytest.approx(104, abs=1e-9)
 
 
+@pytest.mark.parametrize(
+    "corners",
+    [
+        [(9, -1, 0.5), (11, -1, 0.5), (11, -1, 2.5), (9, -1, 2.5)],  # square to an axis
+        [(9, -1.1, 0.5), (11, -0.9, 0.5), (11, -0.7, 2.5), (9, -0.9, 2.5)],
+    ],
+)
+def test_sheets_among_the_hull_s_bodies_have_no_volume(corners):
+    """A flat fin through the transom: what is joined counts as it does without the fin."""
+    box = boxes(((0, -BEAM / 2, 0), (LENGTH, BEAM / 2, DEPTH)))
+    points = np.concatenate([np.array(box.points), corners])
+    sizes, faces = np.array(box.face_sizes), np.array(box.face_vertices)
+    creases = np.concatenate(
+        [np.array(box.creases), 8 + np.array([[0, 1], [1, 2], [2, 3], [0, 3]])]
+    )
+    mesh = hn.ControlMesh(
+        points, np.append(sizes, 4), np.append(faces, 8 + np.arange(4)),
+        creases=creases, corners=np.arange(12),
+    )  # fmt: skip
+    surface = hn.LimitSurface(mesh)
+    body = hn.HullBody(surface, mirrored=False)
+    _, bare = box_hull()
+    for appendages in ([], [hn.cylinder(**TUNNEL)]):
+        body.join(appendages)
+        bare.join(appendages)
+        assert body.joined_volume == pytest.approx(bare.joined_volume, abs=1e-9)
+
+
+def test_many_bodies_of_a_hull():
+    """Three hundred boxes side by side, and a tunnel through one: that patches are there does not
+    count as surfaces that lie in one another."""
+    ends = [((2 * i, 2 * j, 0), (2 * i + 1, 2 * j + 1, 1)) for i in range(15) for j in range(20)]
+    _, body = box_body(*ends)
+    body.join([])
+    assert body.joined_volume == 0.0
+    body.join([hn.cylinder((0.5, -0.1, 0.5), (0.5, 1.1, 0.5), 0.2, cut=True)])
+    assert body.joined_volume == pytest.approx(-math.pi * 0.04, abs=1e-9)
+
+
+def test_foils_have_finite_thicknesses():
+    for which in ("root_thickness", "tip_thickness"):
+        for thickness in (math.inf, math.nan, -0.1):
+            with pytest.raises(ValueError, match="(root|tip)'s thickness"):
+                hn.foil("0012", (6, 0, 0), (6, 0, -1), 2.0, **{which: thickness})
+
+
 def test_surfaces_in_one_another_are_refused():
     _, body = box_hull()
     with pytest.raises(ValueError, match="lie in one another"):

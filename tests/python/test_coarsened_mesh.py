@@ -187,6 +187,25 @@ def test_what_is_no_subdivided_mesh_is_told(mesh, said):
     assert str(caught.value).endswith("there.")
 
 
+def test_what_would_be_no_mesh_is_told():
+    """Triangles on three lunes of a sphere: poles 0 and 1 would have three edges between them."""
+    faces = []
+    for i in range(3):
+        x, to_a, to_b = 2 + i, 8 + i, 11 + i
+        for corners, along, other in ((0, 1), i, (to_a, to_b)), ((1, 0), (i + 1) % 3, (to_b, to_a)):
+            (p, q), middle, (xp, qx) = corners, 5 + along, other
+            centre = 14 + 2 * i + p
+            faces += [(p, middle, centre, xp), (q, qx, centre, middle), (x, xp, centre, qx)]
+    turns = np.radians([0, 0, 60, 180, 300, 0, 120, 240, 60, 180, 300, 60, 180, 300, 30, 90, 150,
+                        210, 270, 330])  # fmt: skip
+    heights = np.array([1, -1] + 6 * [0] + 3 * [0.5] + 3 * [-0.5] + 6 * [0])
+    breadths = np.sqrt(1 - heights**2)
+    points = np.stack([breadths * np.cos(turns), breadths * np.sin(turns), heights], axis=1)
+    mesh = hn.ControlMesh(points, np.full(18, 4), np.ravel(faces))
+    with pytest.raises(ValueError, match="would make no valid mesh, as at point 0. Take back"):
+        hn.LimitSurface(mesh).coarsened_mesh()
+
+
 @pytest.mark.parametrize("name", NAMES)
 def test_samples_themselves_are_none(name):
     with pytest.raises(ValueError, match="The mesh is no subdivided one"):

@@ -308,3 +308,9 @@ def test_meshes_subdivided_without_smoothing_are_converted_to_the_last_digits(na
     report = hn.measure_quality(surface, patches)
     assert report.largest_gap <= 1e-13 * report.length
     assert hn.write_step(patches, str(tmp_path / "hull.step"))["valid"]
+
+
+def test_a_tolerance_that_is_refused_is_told_as_given():
+    surface = hn.LimitSurface(hn.ControlMesh(np.eye(4, 3), [4], [3, 0, 1, 2]))
+    with pytest.raises(ValueError, match="tolerance of patches must be .*, not 1e-11"):
+        hn.exact_patches(surface, tolerance=1e-11)

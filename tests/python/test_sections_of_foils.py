@@ -202,3 +202,20 @@ def test_splines_follow_the_outline(name):
 def test_unknown_names(name):
     with pytest.raises(ValueError, match="is no section that is known"):
         hn.SectionForm(name)
+
+
+@pytest.mark.parametrize("name", ["63-412 a=0.98", "63-412 a=0.99", "65-618 a=0.99999"])
+def test_foils_reach_their_trailing_edges(name):
+    """Where the load begins to fall next to it, too."""
+    parts = np.array(hn.SectionForm(name).spline())
+    assert parts[0, 0] == pytest.approx((1.0, 0.0), abs=1e-9)
+    assert parts[-1, 3] == pytest.approx((1.0, 0.0), abs=1e-9)
+
+
+def test_places_where_formulas_meet_are_knots():
+    """That of the mean line, 0.391, and that of the thickness, 0.4, next to one another."""
+    parts = np.array(hn.SectionForm("25012-64").spline())
+    form = hn.SectionForm("25012-64")
+    for place in (0.391, 0.4):
+        end = np.array(form.point(place))
+        assert np.linalg.norm(parts[:, 0] - end, axis=1).min() < 1e-12, place

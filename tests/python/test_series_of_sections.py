@@ -245,7 +245,8 @@ def test_camber_is_in_proportion_and_names_have_many_forms():
 
 @pytest.mark.parametrize("name", [
     "63-412", "65-618", "63-412 a=0.8", "65-415 a=0.5", "64A010", "64A410", "23112", "0012-64",
-    "2412-34", "23012-64", "64-108",
+    "2412-34", "23012-64", "64-108", "25012-64", "63-412 a=0.99", "63-412 a=0.9999",
+    "63-412 a=0.0002", "63-412 a=0.00005",
 ])  # fmt: skip
 def test_splines_follow_the_outline(name):
     """Cubics of bodies: at quarters of each within 1e-6 of the chord of the outline, and not many

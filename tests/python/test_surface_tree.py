@@ -98,6 +98,10 @@ def test_mistakes_are_named(tree):
         tree.closest_points([[0, 0, 0], [0, np.nan, 0]])
     with pytest.raises(ValueError, match="max_distance"):
         tree.closest_points([[0, 0, 0]], max_distance=-1)
+    with pytest.raises(ValueError, match="but is -1e-11"):
+        tree.closest_points([[0, 0, 0]], max_distance=-1e-11)
+    with pytest.raises(ValueError, match="no length to use; give it one near 1"):
+        tree.ray_hits([[0, 0, 0]], [[0, 0, 1e200]])
     with pytest.raises(ValueError, match=r"directions\[1\].*no length"):
         tree.ray_hits(np.zeros((2, 3)), [[1, 0, 0], [0, 0, 0]])
     with pytest.raises(ValueError, match=r"origins\[0\].*not finite"):

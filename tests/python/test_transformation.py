@@ -62,6 +62,22 @@ def test_wigley_prismatic_and_lcb():
     assert (result.volume, result.lcb) == pytest.approx((found.displaced_volume, found.lcb), 1e-12)
 
 
+def test_hulls_are_transformed_without_what_is_joined():
+    surface, area, _ = wigley_shift(17)
+    body, where = hn.HullBody(surface, mirrored=True), {"draft": 2.0}
+
+    def answers():
+        shift = hn.SectionShift(body, length_pp=2.0, **where)
+        shifted = shift.solve(volume=0.70 * area * 2.0, lcb=1.02)
+        longer = hn.lengthen(body, 1.0, 0.5, stretched=(0.2, 1.8), **where)
+        return [shifted.moves, shifted.volume, shifted.lcb, longer.moves, longer.volume_change]
+
+    bare = answers()
+    body.join([hn.cylinder((0.9, -1.0, 1.6), (0.9, 1.0, 1.6), 0.1, cut=True)])
+    for one, other in zip(bare, answers()):
+        assert np.array_equal(one, other)
+
+
 def test_coefficients_alone():
     surface, area, shift = wigley_shift(65)
     for a in (-0.4, 0.1, 0.3):

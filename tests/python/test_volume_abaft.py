@@ -68,6 +68,14 @@ def test_samples(name, trim):
     assert moment == pytest.approx(volume * (high - whole.lcb), rel=1e-7)
 
 
+def test_of_hulls_alone():
+    surface, _ = wigley_areas(9)
+    body = hn.HullBody(surface, mirrored=True)
+    body.join([hn.cylinder((0.9, -1.0, 1.6), (0.9, 1.0, 1.6), 0.1, cut=True)])
+    with pytest.raises(ValueError, match="ask one of the hull alone"):
+        hn.volume_abaft(body, 1.0, draft=2.0)
+
+
 def test_a_station_is_a_number():
     surface, _ = wigley_areas(9)
     body = hn.HullBody(surface, mirrored=True)

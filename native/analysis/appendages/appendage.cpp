@@ -66,6 +66,13 @@ void require_finite(const Vector3d& p, const char* what) {
   throw std::invalid_argument(std::string("The ") + what + " must have finite coordinates.");
 }
 
+void require_thickness(double thickness, const char* of) {
+  if (thickness >= 0.0 && std::isfinite(thickness)) return;
+  throw std::invalid_argument(std::string("The ") + of +
+                              "'s thickness must be a positive part of its chord, or 0 for the "
+                              "section's own.");
+}
+
 // Axis, and two directions across it, right-handed.
 struct Frame {
   Vector3d along, first, second;
@@ -118,6 +125,8 @@ void check(const FoilShape& foil) {
   require_finite(foil.thickness_direction, "thickness' direction");
   require_length(foil.root_chord, "root's chord");
   require_length(foil.tip_chord, "tip's chord");
+  require_thickness(foil.root_thickness, "root");
+  require_thickness(foil.tip_thickness, "tip");
   // Of unit vectors: its length is the sine of the angle between them.
   const Vector3d normal =
       foil.chord_direction.normalized().cross(foil.thickness_direction.normalized());

@@ -27,7 +27,7 @@ struct FoilShape {
   Vector3d chord_direction;      // from the leading to the trailing edge
   Vector3d thickness_direction;  // to the upper side
   double root_chord, tip_chord;  // m
-  // Of the chord; not positive: that of the section.
+  // Of the chord; 0: that of the section.
   double root_thickness = 0.0, tip_thickness = 0.0;
 };
 
@@ -55,8 +55,8 @@ struct Appendage {
 std::vector<std::array<Eigen::Vector2d, 4>> outline_of(const SectionForm& form, double thickness,
                                                        bool upper_only);
 
-// The surface of a shape. Throws std::invalid_argument for lengths that are not positive, numbers
-// that are not finite, and directions along one another.
+// The surface of a shape. Throws std::invalid_argument for lengths that are not positive, negative
+// thicknesses, numbers that are not finite, and directions along one another.
 ClosedShell shell_of(const AppendageShape& shape);
 ClosedShell mirror_image(const ClosedShell& shell);
 

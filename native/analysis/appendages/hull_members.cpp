@@ -2,8 +2,11 @@
 #include "analysis/appendages/hull_members.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <utility>
 
+#include "analysis/appendages/piece_integrals.h"
 #include "surface/pieces/pieces.h"
 
 namespace hull::analysis {
@@ -13,6 +16,8 @@ constexpr double kFinestJoint = 1e-12;
 constexpr double kSquare = 1e-7;  // of the mesh's size
 constexpr double kThickness =
     0.125;  // of the least side of a hull's box, what lines should not miss
+
+constexpr double kFlat = 1e-9;  // of a box's diagonal: what its thickness is by rounding
 
 struct HullPatches {
   std::vector<surface::BezierPatch> patches;
@@ -70,9 +75,27 @@ std::vector<JoinedMember> hull_members(const HullBody& body) {
   return members;
 }
 
+double enclosed_share(const ClosedShell& shell) {
+  const Eigen::AlignedBox3d& box = shell.box();
+  // Of a sheet square to an axis both volumes are rounding.
+  if (box.sizes().minCoeff() <= kFlat * box.diagonal().norm()) return 0.0;
+  // The volume is exact at once, and the area, which takes time, is not asked for.
+  const PieceRule rule{box.center(), 0.0, std::numeric_limits<double>::infinity()};
+  double fluxes = 0.0;
+  for (const surface::BezierPatch& patch : shell.patches()) {
+    fluxes += whole_patch_moments(patch, rule).first.trace();
+  }
+  // A third of the sum of the fluxes of (x, 0, 0), (0, y, 0) and (0, 0, z) is the volume.
+  return fluxes / 3.0 / box.volume();
+}
+
 std::shared_ptr<const JoinedShells> joined_shells(const HullBody& body,
                                                   const std::vector<Appendage>& appendages) {
   std::vector<JoinedMember> members = hull_members(body);
+  // Nothing is within a sheet, and lines as near as it is thin would have no end.
+  std::erase_if(members, [](const JoinedMember& member) {
+    return std::abs(enclosed_share(member.shell)) <= kSheetShare;
+  });
   for (const Appendage& appendage : appendages) {
     const MemberRole role = appendage.is_cut ? MemberRole::kCut : MemberRole::kAdded;
     ClosedShell shell = shell_of(appendage.shape);

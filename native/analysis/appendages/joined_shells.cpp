@@ -16,8 +16,9 @@ namespace {
 
 constexpr int kMostHalvingsOfPatch = 16;
 constexpr std::size_t kPatchGrain = 4;  // patches that a thread takes at a time
-// Of all patches together, before surfaces count as entangled: looks at other members, twenty times
-// what samples with appendages take.
+// Of all parts of patches together, before surfaces count as entangled: looks at other members,
+// twenty times what samples with appendages take. Whole patches are not counted: how many there are
+// tells of the hull's size alone.
 constexpr int kMostLooks = 1000000;
 // Of the smaller body's box: what closed surfaces may be open by.
 constexpr double kOpen = 1e-5;
@@ -110,7 +111,7 @@ bool JoinedShells::is_taken(int member, const std::vector<bool>& inside) const {
 void JoinedShells::collect(const Source& source, const surface::BezierPatch& patch, int depth,
                            std::vector<Piece>& pieces) {
   const int member = source.member;
-  if ((looks_left_ -= static_cast<int>(members_.size())) < 0) refuse();
+  if (depth > 0 && (looks_left_ -= static_cast<int>(members_.size())) < 0) refuse();
   const Eigen::AlignedBox3d box = patch.box();
   const MemberRole role = members_[member].role;
   std::vector<int> near;
@@ -226,6 +227,7 @@ std::vector<std::string> JoinedShells::idle_cuts() const {
 
 // A closed surface has no ∫ n dS, and each of its three fluxes is its volume.
 void JoinedShells::check_closed() const {
+  if (members_.empty()) return;
   Eigen::AlignedBox3d least = members_.front().shell.box();
   for (const JoinedMember& member : members_) {
     // A gap beside the smallest member must not be lost in the size of the hull.

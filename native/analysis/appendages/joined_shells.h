@@ -90,7 +90,7 @@ class JoinedShells {
   std::vector<JoinedMember> members_;
   Vector3d origin_;
   double tolerance_;
-  PartsLeft looks_left_;   // of patches at other members
+  PartsLeft looks_left_;   // of parts of patches at other members
   PartsLeft* parts_left_;  // while it is made
   std::vector<Piece> pieces_;
   ShellMoments whole_;

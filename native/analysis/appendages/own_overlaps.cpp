@@ -15,9 +15,7 @@
 namespace hull::analysis {
 namespace {
 
-// Of the smaller box: what boxes and bodies share by rounding, and what a sheet may enclose.
-constexpr double kShared = 1e-9;
-constexpr double kSheet = 1e-6;
+constexpr double kShared = 1e-9;  // of the smaller box: what boxes and bodies share by rounding
 constexpr double kTolerance = 1e-9;
 constexpr int kSamples = 1024;
 constexpr std::size_t kSampleGrain = 16;  // samples that a thread takes at a time
@@ -57,11 +55,6 @@ std::vector<Box> boxes_of_bodies(const HullBody& body) {
     for (Box& box : boxes) box.extend(Vector3d(box.min().x(), 0.0, box.min().z()));
   }
   return boxes;
-}
-
-bool is_sheet(const ClosedShell& shell) {
-  // A third of the sum of the fluxes of (x, 0, 0), (0, y, 0) and (0, 0, z) is the volume.
-  return moments_of(shell).first.trace() / 3.0 <= kSheet * space_in(shell.box());
 }
 
 // None where surfaces lie in one another, or parts_left are not enough.
@@ -120,7 +113,8 @@ std::vector<OwnOverlap> own_overlaps(const HullBody& body) {
   const std::vector<JoinedMember> members = hull_members(body);
   std::vector<Box> boxes;
   for (const JoinedMember& member : members) {
-    boxes.push_back(is_sheet(member.shell) ? Box() : member.shell.box());
+    const bool is_sheet = enclosed_share(member.shell) <= kSheetShare;
+    boxes.push_back(is_sheet ? Box() : member.shell.box());
   }
   int parts_left = kMostPairParts;
   for_each_near(boxes, [&](int i, int j) {

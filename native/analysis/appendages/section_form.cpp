@@ -10,10 +10,26 @@ namespace {
 constexpr int kParts = 48;
 constexpr double kError = 5e-7;  // of the chord, at the places looked at
 constexpr int kMostHalvings = 7;
+constexpr double kSameJoint = 1e-9;  // closer places, √x, differ by rounding
 
 Eigen::Vector2d on_cubic(const std::array<Eigen::Vector2d, 4>& p, double t) {
   const double q = 1.0 - t;
   return q * q * (q * p[0] + 3.0 * t * p[1]) + t * t * (3.0 * q * p[2] + t * p[3]);
+}
+
+// Makes a knot of a place where formulas meet.
+void set_joint(std::vector<double>& knots, std::vector<double>& set, double joint) {
+  const auto after = std::ranges::lower_bound(knots, joint);
+  const auto nearest = joint - *(after - 1) < *after - joint ? after - 1 : after;
+  const bool is_set = std::ranges::count(set, *nearest) > 0;
+  if (is_set && std::abs(*nearest - joint) > kSameJoint) {
+    // Ends and other joints stay, however short the part between.
+    knots.insert(after, joint);
+  } else {
+    // In place of the one that is nearest, lest there be a very short part.
+    *nearest = joint;
+  }
+  set.push_back(joint);
 }
 
 }  // namespace
@@ -60,11 +76,8 @@ std::vector<double> SectionForm::even_knots() const {
     all.push_back(1.0);
   }
   for (const double x : form_.mean_line.joints()) joints.push_back(std::sqrt(x));
-  for (const double joint : joints) {
-    // In place of the one that is nearest, lest there be a very short part.
-    const auto after = std::ranges::lower_bound(all, joint);
-    *(joint - *(after - 1) < *after - joint ? after - 1 : after) = joint;
-  }
+  std::vector<double> set{0.0, 1.0};
+  for (const double joint : joints) set_joint(all, set, joint);
   return all;
 }
 

@@ -96,8 +96,6 @@ BezierBicubic BezierBicubic::from_bspline(const std::array<double, 16>& p) {
   return BezierBicubic(result);
 }
 
-double BezierBicubic::value(double u, double v) const { return evaluate(along_v(u), v); }
-
 double BezierBicubic::lowest() const { return *std::min_element(c_.begin(), c_.end()); }
 double BezierBicubic::highest() const { return *std::max_element(c_.begin(), c_.end()); }
 

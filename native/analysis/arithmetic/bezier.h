@@ -30,7 +30,6 @@ class BezierBicubic {
   // From the coefficients of a uniform B-spline span in the same order.
   static BezierBicubic from_bspline(const std::array<double, 16>& coefficients);
 
-  double value(double u, double v) const;
   double lowest() const;
   double highest() const;
   // The cubic in v at given u, and the one in u at given v.

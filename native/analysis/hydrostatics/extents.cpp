@@ -278,8 +278,4 @@ FarthestPoint ExtentSearch::farthest(const Vector3d& direction, Part part) const
   return best;
 }
 
-const FarthestPoint& farther(const FarthestPoint& a, const FarthestPoint& b) {
-  return b.value > a.value ? b : a;
-}
-
 }  // namespace hull::analysis

@@ -48,7 +48,4 @@ class ExtentSearch {
   std::vector<int> immersed_, waterline_;
 };
 
-// Of two, the farther one.
-const FarthestPoint& farther(const FarthestPoint& a, const FarthestPoint& b);
-
 }  // namespace hull::analysis

@@ -74,12 +74,11 @@ HullBody::HullBody(const HullBody& body, const surface::LimitSurface& copy,
       border_(body.border_),
       closings_(body.closings_),
       caps_(body.caps_),
-      appendages_(body.appendages_),
-      joined_(body.joined_),
-      profile_(body.profile_),
-      inversion_(body.inversion_) {
-  assert(!water || !joined_);
-}
+      // The hull alone: what is joined would be joined anew at each update().
+      appendages_(water ? nullptr : body.appendages_),
+      joined_(water ? nullptr : body.joined_),
+      profile_(water ? nullptr : body.profile_),
+      inversion_(body.inversion_) {}
 
 void HullBody::update() {
   if (!stamp_.is_current() || appendages_) ++version_;
@@ -102,7 +101,10 @@ void HullBody::take(const std::vector<Appendage>& appendages) {
 
 void HullBody::join(std::vector<Appendage> appendages) {
   current();
-  assert(!water_);
+  if (water_) {
+    throw std::invalid_argument(
+        "Nothing can be joined to a body for one water alone: join it to one for all waters.");
+  }
   take(appendages);
   ++version_;
   appendages_ = std::make_shared<const std::vector<Appendage>>(std::move(appendages));
@@ -283,6 +285,11 @@ double HullBody::volume_abaft(const Plane& water, double x) const {
     throw std::invalid_argument("The body is divided by a station upright: set the heel to zero.");
   }
   if (!std::isfinite(x)) throw std::invalid_argument("The station's x must be a finite number.");
+  if (joined_) {
+    throw std::invalid_argument(
+        "A body to which others are joined is not divided by a station: ask one of the hull "
+        "alone.");
+  }
   const std::array<Plane, 2> planes{water, Plane{Vector3d::UnitX(), x}};
   const Wet wet = wet_part(planes);
   return (mirrored_ ? 2.0 : 1.0) * (wet.shell.first(1, 1) + wet.caps.first(1, 1));

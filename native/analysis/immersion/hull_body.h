@@ -46,9 +46,10 @@ class HullBody {
   // computed again. Throws std::invalid_argument if the body is out of date.
   HullBody(const HullBody& body, const surface::LimitSurface& copy);
 
-  // The same for one water alone, not heeled: from the next update() on there is no more than its
-  // immersion, whose wetted surface is not measured, sections and places. What is above the water
-  // is not computed, and faces that come to be turned inwards are not noticed.
+  // The hull alone, without what is joined, for one water alone, not heeled: from the next update()
+  // on there is no more than its immersion, whose wetted surface is not measured, sections and
+  // places. What is above the water is not computed, and faces that come to be turned inwards are
+  // not noticed.
   HullBody(const HullBody& body, const surface::LimitSurface& copy, const Plane& water);
 
   // To be called after surface.set_points(). Only what has moved is computed again, but for what
@@ -96,7 +97,8 @@ class HullBody {
   Immersion immersion(const Plane& water) const;
 
   // m³ of the immersed body abaft x, both sides; as exact as the volume of immersion(). Throws
-  // std::invalid_argument as that does, if the water is heeled, and if x is not finite.
+  // std::invalid_argument as that does, if the water is heeled, if x is not finite, and after
+  // join().
   double volume_abaft(const Plane& water, double x) const;
 
   // Throws std::invalid_argument if the water rises above an opening that is not closed ("floods at

@@ -22,17 +22,6 @@ ShellMoments& ShellMoments::operator+=(const ShellMoments& other) {
   return *this;
 }
 
-ShellMoments& ShellMoments::operator-=(const ShellMoments& other) {
-  area -= other.area;
-  // Errors add up, also where values are taken off.
-  area_error += other.area_error;
-  volume_error += other.volume_error;
-  normal -= other.normal;
-  first -= other.first;
-  second -= other.second;
-  return *this;
-}
-
 ShellMoments& ShellMoments::operator*=(double factor) {
   area *= factor;
   area_error *= factor;

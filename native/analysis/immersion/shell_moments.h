@@ -20,7 +20,6 @@ struct ShellMoments {
   Eigen::Matrix<double, 6, 3> second = Eigen::Matrix<double, 6, 3>::Zero();
 
   ShellMoments& operator+=(const ShellMoments& other);
-  ShellMoments& operator-=(const ShellMoments& other);
   ShellMoments& operator*=(double factor);
 
   // ∫ p pᵀ (e·n) dS.

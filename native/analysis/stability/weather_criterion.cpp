@@ -180,7 +180,11 @@ class Weather {
     if (result_.deck_edge_heel) c.limit = std::min(c.limit, kOfDeckEdge * *result_.deck_edge_heel);
     if (!c.value) {
       c.outcome = CriterionOutcome::kFail;
-      c.note = "The steady wind's lever is above the whole curve of GZ.";
+      c.note =
+          upright().righting_lever < result_.steady_lever
+              ? "The steady wind's lever is above the whole curve of GZ."
+              : "GZ is above the steady wind's lever upright, and to windward as far as 50° or "
+                "where she stands on end: her list to windward is too large.";
     } else if (deck_edge_.empty()) {
       c.note = "No deck edge is known: only 16° is asked for.";
     } else if (result_.deck_edge_heel == 0.0) {

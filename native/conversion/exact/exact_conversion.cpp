@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -112,8 +113,9 @@ class SetBuilder {
 
 void check(const ExactOptions& options) {
   const auto refuse = [](const std::string& what, const std::string& range, double value) {
-    throw std::invalid_argument("The " + what + " of patches must be " + range + ", not " +
-                                std::to_string(value) + ".");
+    std::ostringstream words;
+    words << "The " << what << " of patches must be " << range << ", not " << value << ".";
+    throw std::invalid_argument(words.str());
   };
   const double tolerance = options.tolerance, angle = options.seam_angle;
   const int grading = options.grading, most = options.most_control_points;

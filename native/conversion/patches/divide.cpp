@@ -6,27 +6,12 @@
 #include <stdexcept>
 #include <string>
 
+#include "conversion/patches/breaks.h"
 #include "conversion/patches/edge_uses.h"
 #include "conversion/patches/patch_rows.h"
 
 namespace hull::conversion {
 namespace {
-
-constexpr double kSameBreak = 1e-12;  // closer parameters differ by rounding
-
-void add_break(std::vector<double>& breaks, double t) {
-  // At its ends an edge has vertices already.
-  if (!(t > kSameBreak && t < 1.0 - kSameBreak)) return;
-  const auto next = std::lower_bound(breaks.begin(), breaks.end(), t - kSameBreak);
-  if (next == breaks.end() || *next > t + kSameBreak) breaks.insert(next, t);
-}
-
-std::vector<double> with_ends(const std::vector<double>& cuts) {
-  std::vector<double> lines{0.0};
-  lines.insert(lines.end(), cuts.begin(), cuts.end());
-  lines.push_back(1.0);
-  return lines;
-}
 
 // The edges that one is divided into, in the direction of its first use.
 struct DividedEdge {

@@ -14,7 +14,8 @@ struct PatchCuts {
 
 // The same surface as more patches: each cut into a grid of pieces. Edges are divided where the
 // patches on either side are, so that pieces share them as whole patches did; pieces of one patch
-// stand side by side, along u from row to row. REQUIRES: one PatchCuts per patch.
+// stand side by side, along u from row to row. Throws std::invalid_argument for pieces narrower
+// than 2e-12 of their patch. REQUIRES: one PatchCuts per patch.
 PatchSet divided(const PatchSet& set, const std::vector<PatchCuts>& cuts);
 
 // Cuts at all knots: the pieces are Bézier patches, with 4 x 4 control points.

@@ -193,7 +193,7 @@ void CornerBasis::advance(EigenCoordinates& coordinates, int steps) const {
 
 void CornerBasis::evaluate(const CornerPoints& points, double u, double v, int order,
                            SurfaceJet& jet) const {
-  if (u == 0.0 && v == 0.0) {
+  if (std::max(u, v) < kAtCorner) {
     // Derivatives in (u, v) do not exist at an irregular point: the parametrisation is singular
     // there.
     jet = {};

@@ -28,6 +28,10 @@ struct RingSegment {
 // than 1 in 4^kPlainRings of a cell's points lies within.
 inline constexpr int kPlainRings = 4;
 
+// Parameters both below this are the corner itself: the square of the ring's scale, and powers of
+// the eigenvalues, leave the range of numbers further in, where no point differs from the limit.
+inline constexpr double kAtCorner = 0x1p-500;
+
 // What a surface keeps of one irregular cell.
 struct CornerPoints {
   std::vector<Vector3d> outer;                                // N control points of [0, 1]² …
@@ -80,7 +84,8 @@ class CornerBasis {
   void prepare(CornerPoints& points) const;
 
   // Position and derivatives up to `order` at (u, v) in [0, 1]^2; higher ones are left as they are
-  // in `jet`. At (0, 0), where derivatives do not exist in this parametrisation, they are zero.
+  // in `jet`. At (0, 0), where derivatives do not exist in this parametrisation, they are zero, and
+  // so they are within kAtCorner of it.
   void evaluate(const CornerPoints& points, double u, double v, int order, SurfaceJet& jet) const;
 
   // Direction (not of unit length) of the normal at (0, 0); zero where there is no tangent plane.

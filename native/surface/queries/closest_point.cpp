@@ -5,6 +5,7 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 
@@ -406,8 +407,9 @@ class Search {
 
 void check_radius(double max_distance) {
   if (max_distance >= 0.0) return;
-  throw std::invalid_argument("max_distance must not be negative, but is " +
-                              std::to_string(max_distance) + ".");
+  std::ostringstream words;
+  words << "max_distance must not be negative, but is " << max_distance << ".";
+  throw std::invalid_argument(words.str());
 }
 
 }  // namespace

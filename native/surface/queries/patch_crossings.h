@@ -34,11 +34,6 @@ class PatchCrossings {
 
   const std::vector<Crossing>& crossings() const { return crossings_; }
   const std::vector<AxisStretch>& stretches() const { return stretches_; }
-  void clear() {
-    crossings_.clear();
-    stretches_.clear();
-  }
-  void set_z_max(double z_max) { z_max_ = z_max; }
 
  private:
   using Part = PatchPart;

@@ -275,7 +275,7 @@ void check(const Ray& ray) {
     throw std::invalid_argument("the ray's direction is not finite.");
   }
   if (!(ray.direction.norm() > 0.0) || !std::isfinite(ray.direction.norm())) {
-    throw std::invalid_argument("the ray's direction has no length; give it one that is not zero.");
+    throw std::invalid_argument("the ray's direction has no length to use; give it one near 1.");
   }
   if (std::isnan(ray.t_min) || std::isnan(ray.t_max)) {
     throw std::invalid_argument("t_min and t_max must be numbers.");

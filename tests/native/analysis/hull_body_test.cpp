@@ -9,6 +9,7 @@
 #include <random>
 #include <stdexcept>
 
+#include "analysis/appendages/appendage.h"
 #include "analysis/immersion/floating_position.h"
 #include "natural_hull.h"
 #include "test_meshes.h"
@@ -298,6 +299,7 @@ TEST(HullBody, ForOneWater) {
   const Plane water{Vector3d::UnitZ(), 0.1};
   surface::LimitSurface copy(surface);
   HullBody alone(body, copy, water);
+  EXPECT_THROW(alone.join({}), std::invalid_argument);
   std::normal_distribution<double> move(0.0, 0.05);
   for (int step = 0; step < 20; ++step) {
     for (Vector3d& p : arrays.points) p.x() += move(random);

@@ -299,6 +299,17 @@ TEST(WeatherCriterion, DeckEdgeUnderWaterUprightIsSaid) {
   EXPECT_NE(barge.result(given).criteria.at(0).note.find("No deck edge"), std::string::npos);
 }
 
+// So far to port that she heels more to windward than is looked.
+TEST(WeatherCriterion, TooLargeAListToWindwardIsSaid) {
+  const Barge barge(4.4);
+  LoadCase load = barge.load();
+  load.centre_of_gravity.y() = 5.0;
+  const WeatherCriterion found = weather_criterion(barge.body, load, barge.options());
+  EXPECT_FALSE(found.steady_heel);
+  EXPECT_FALSE(found.passes);
+  EXPECT_NE(found.criteria[0].note.find("list to windward"), std::string::npos);
+}
+
 TEST(WeatherCriterion, AShipThatDoesNotStandUprightFails) {
   const Barge crank(4.97);
   const WeatherCriterion found = crank.result(crank.options());

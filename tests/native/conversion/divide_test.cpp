@@ -127,6 +127,24 @@ TEST(Divided, NoPatchHasMoreControlPointsThanAsked) {
   }
 }
 
+// Nearer cuts could not be told from rounding, and pieces would be without edges.
+TEST(Divided, RefusesPiecesThatAreTooNarrow) {
+  std::mt19937 random(65);
+  const PatchSet set = exact_patches(random_surface(0, random));
+  std::vector<PatchCuts> cuts(set.patches.size());
+  cuts[1].u = {0.5, 0.5 + 1e-11};
+  EXPECT_NO_THROW(divided(set, cuts).check());
+  for (const double gap : {0.0, 5e-13}) {
+    for (const double from : {0.0, 0.3, 1.0 - gap}) {
+      cuts[1].u = {};
+      cuts[1].v = {from, from + gap};
+      if (from == 0.0) cuts[1].v = {gap};
+      if (from + gap == 1.0) cuts[1].v = {from};
+      EXPECT_THROW(divided(set, cuts), std::invalid_argument) << from << " " << gap;
+    }
+  }
+}
+
 TEST(Divided, RefusesFewerControlPointsThanABezierPatchHas) {
   const surface::LimitSurface surface{mesh::ControlMesh(testing::grid(2, 2))};
   EXPECT_THROW(exact_patches(surface, {.most_control_points = 15}), std::invalid_argument);

@@ -169,6 +169,39 @@ TEST(LimitSurface, NormalsAgreeAroundSmoothVertices) {
   }
 }
 
+// Down to the smallest numbers there are. So near, no point differs from the corner, the normal by
+// rounding only: next to a corner it changes like a power of the distance.
+TEST(LimitSurface, PlacesNextToAnIrregularKnotAreThatOfTheKnot) {
+  SCOPED_TRACE(::testing::Message() << "seed " << kLimitSurfaceSeed + 5);
+  std::mt19937 random(kLimitSurfaceSeed + 5);
+  const auto cache = std::make_shared<BasisCache>();
+  int knots = 0;
+  for (int trial = 0; trial < 40; ++trial) {
+    const LimitSurface surface(mesh::ControlMesh(testing::random_mesh(random, 9)),
+                               trial % 2 ? Scheme::kBiermann : Scheme::kCatmullClark, cache);
+    const double size = surface.mesh().size();
+    for (int cell = 0; cell < surface.cell_count(); ++cell) {
+      if (!surface.is_irregular_knot(cell, 0.0, 0.0)) continue;
+      ++knots;
+      const Vector3d corner = surface.position(cell, 0.0, 0.0);
+      const Vector3d normal = surface.normal(cell, 0.0, 0.0);
+      for (double t : {5e-324, 1e-310, 1e-300, 1e-200, 1e-160}) {
+        for (const Eigen::Vector2d& place :
+             {Eigen::Vector2d(t, 0.0), Eigen::Vector2d(0.5 * t, t)}) {
+          SCOPED_TRACE(::testing::Message()
+                       << "trial " << trial << " cell " << cell << " at " << t);
+          const SurfaceJet jet = surface.evaluate(cell, place.x(), place.y(), 2);
+          ASSERT_LT((jet.point - corner).norm(), 1e-13 * size);
+          ASSERT_TRUE(jet.du.allFinite() && jet.dv.allFinite() && jet.duu.allFinite() &&
+                      jet.duv.allFinite() && jet.dvv.allFinite());
+          ASSERT_LT((surface.normal(cell, place.x(), place.y()) - normal).norm(), 1e-12);
+        }
+      }
+    }
+  }
+  EXPECT_GT(knots, 100);
+}
+
 TEST(LimitSurface, ConeTipsHaveNoNormal) {
   mesh::MeshArrays arrays = testing::fan(5);
   arrays.corners = {0};

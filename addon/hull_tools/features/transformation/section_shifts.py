@@ -72,7 +72,8 @@ def shift(obj, scene, wanted):
     found = state.ship.as_it_is().hydrostatics(where)
     reached = None
     if wanted.prismatics is not None:
-        reached = halves.prismatics(state.ship.source.alone.new_ship().body, position, length)
+        source = state.ship.source
+        reached = halves.prismatics(source.bare_body(source.new_surface()), position, length)
     return Shifted(
         result, before, form_parameters.of_hydrostatics(found), wanted.shifted_part, reached
     )
