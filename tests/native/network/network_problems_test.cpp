@@ -210,5 +210,35 @@ TEST(NetworkProblems, ACurveThatIsNoneIsNamed) {
   EXPECT_THROW(network_of(square(), -1.0), std::invalid_argument);
 }
 
+// Whichever of both has the node's place: one that another curve meets is the nearer one.
+TEST(NetworkProblems, KnucklesNearerThanTheToleranceLeaveTheCurveBesideThem) {
+  for (std::size_t met : {1u, 2u}) {
+    auto curves = square();
+    NetworkCurve bent;
+    bent.definition.name = "B";
+    bent.definition.points = {
+        {4, 0, 0}, {5, 5, 0}, {5 + 0.3 * kTol, 5 + 0.4 * kTol, 0}, {7, 7, 0}, {4, 10, 0}};
+    bent.definition.knuckles = {1, 2};
+    curves.push_back(bent);
+    curves.push_back(line_between("W", {0, 5, 0}, bent.definition.points[met]));
+    const CurveNetwork network = network_of(curves);
+    const JoinedCurves& joined = network.frame().joined;
+    const auto& pieces = network.shapes()[4].pieces;
+    std::vector<int> on;
+    for (std::size_t e = 0; e < joined.edges.size(); ++e) {
+      if (joined.edges[e].curve != 4) continue;
+      const auto piece = static_cast<std::size_t>(joined.edges[e].piece);
+      on.push_back(joined.edges[e].piece);
+      EXPECT_EQ(joined.edges[e].low, pieces[piece].begin()) << met;
+      EXPECT_EQ(joined.edges[e].high, pieces[piece].end()) << met;
+      const Vector3d middle = network.frame().shapes[e].evaluate(0.5, 0).row(0);
+      const double foot = pieces[piece].nearest_parameter(middle);
+      EXPECT_LT((pieces[piece].point(foot) - middle).norm(), kTol) << met;
+    }
+    EXPECT_EQ(on, (std::vector{0, 2})) << met;
+    EXPECT_EQ(network.regions().size(), 3u) << told(network);
+  }
+}
+
 }  // namespace
 }  // namespace hull::network
