@@ -183,5 +183,33 @@ TEST(ReferenceCurves, ThePapersWayWithoutTwistErrs) {
   EXPECT_LT(paper_error(1.0), 1e-14);
 }
 
+// Three that meet within, and two end to end, in curves of their own or at a knuckle of one.
+TEST(ReferenceCurves, ThatEndWithinHaveTheirPlacesThere) {
+  const auto surface = [](double u, double v) { return torus(0.5 * u, 0.5 * v); };
+  const auto on = [&](const Vector2d& from, const Vector2d& to) {
+    NetworkCurve curve = hull::testing::curve_along("R", [&](double t) {
+      const Vector2d at = (1.0 - t) * from + t * to;
+      return surface(at.x(), at.y());
+    });
+    curve.role = NetworkCurve::Role::kReference;
+    return curve;
+  };
+  NetworkCurve bent = on({0.5, 0.0}, {0.5, 1.0});
+  bent.definition.knuckles = {4};
+  const std::vector<std::vector<NetworkCurve>> inner{
+      {on({0.5, 0.0}, {0.5, 0.5}), on({0.5, 0.5}, {0.5, 1.0})},
+      {bent},
+      {on({0.5, 0.0}, {0.5, 0.5}), on({0.5, 0.5}, {0.0, 0.5}), on({0.5, 0.5}, {1.0, 1.0})}};
+  for (const auto& references : inner) {
+    auto curves = net_on(surface, 1, 1, 7);
+    curves.insert(curves.end(), references.begin(), references.end());
+    const CurveNetwork network = network_of(curves);
+    // To the network's tolerance, else it is told.
+    const NetworkPatches made = patches_of(network, 4, 1e-3);
+    EXPECT_EQ(made.set.patches.size(), 1u);
+    std::cout << "off by " << made.largest_curve_error() << " m\n";
+  }
+}
+
 }  // namespace
 }  // namespace hull::network
