@@ -220,5 +220,19 @@ TEST(NetworkCurve, WhatCannotBeIsNamed) {
   EXPECT_EQ(refusal({curve, far}), "Curve Stem: its start is 1.000 m from Keel, its master.");
 }
 
+TEST(NetworkCurve, AConicsDirectionsThatMissOneAnotherAreNamed) {
+  CurveDefinition conic = wave("Bow", 2);
+  conic.kind = CurveDefinition::Kind::kConic;
+  conic.points = {{0, 0, 0}, {1, 1, 0.4}};
+  conic.start = {Kind::kTangent, {1, 0, 0}, -1};
+  conic.end = {Kind::kTangent, {0, 1, 0}, -1};
+  EXPECT_EQ(refusal({conic}),
+            "Curve Bow: the lines along the directions at its ends miss one another by 0.400 m: "
+            "give directions in one plane with both points.");
+  // As far as points may be apart that are one.
+  conic.points[1].z() = 0.9 * kTolerance;
+  EXPECT_EQ(refusal({conic}), "");
+}
+
 }  // namespace
 }  // namespace hull::network
