@@ -36,6 +36,8 @@ std::vector<double> key_of(const RegionInput& input, const MergedRegion& region)
     for (const RegionEdge& edge : side) {
       const auto e = static_cast<std::size_t>(edge.edge);
       key.push_back(edge.is_along ? 1.0 : 0.0);
+      // There normals do not count where references are.
+      key.push_back(frame.faces.is_border(edge.edge) ? 1.0 : 0.0);
       for (const Vector3d& point : input.edges.fitted[e].curve.points) append(key, point);
       const NormalField& field = (edge.is_along ? frame.normals.left : frame.normals.right)[e];
       for (const Vector3d* part : {&field.start, &field.end, &field.start_slope, &field.end_slope})

@@ -211,5 +211,33 @@ TEST(ReferenceCurves, ThatEndWithinHaveTheirPlacesThere) {
   }
 }
 
+// A sheer that is the border aft, and forward goes on as a knuckle below a bulwark, or the other
+// way round: the same side of one region.
+TEST(ReferenceCurves, AreFreeAlongTheBordersPartOfASideAlone) {
+  const auto surface = [](double u, double v) { return torus(0.5 * u, 0.5 * v); };
+  for (bool is_forward : {false, true}) {
+    auto curves = net_on(surface, 1, 1, 7);
+    NetworkCurve middle =
+        hull::testing::curve_along("M", [&](double t) { return surface(0.5, t); });
+    middle.role = NetworkCurve::Role::kReference;
+    curves.push_back(middle);
+    // V1 is the side; what goes on beyond half of it.
+    const double low = is_forward ? 0.5 : 0.0;
+    const auto beyond = [&](double u, double v) { return surface(low + 0.5 * u, 1.0 + 0.4 * v); };
+    for (double u : {0.0, 1.0}) {
+      curves.push_back(hull::testing::curve_along("B" + std::to_string(u),
+                                                  [&](double t) { return beyond(u, t); }));
+    }
+    curves.push_back(hull::testing::curve_along("T", [&](double t) { return beyond(t, 1.0); }));
+    const CurveNetwork network = network_of(curves);
+    EXPECT_EQ(network.regions().size(), 3u) << told(network);
+    const NetworkPatches made = patches_of(network, 4, 1e-6);
+    EXPECT_EQ(made.set.patches.size(), 2u);
+    const auto angles = seam_angles(network, made, 4);
+    std::cout << "seam " << angles.anywhere << " deg\n";
+    EXPECT_LT(angles.anywhere, 0.05);
+  }
+}
+
 }  // namespace
 }  // namespace hull::network
