@@ -240,5 +240,24 @@ TEST(NetworkProblems, KnucklesNearerThanTheToleranceLeaveTheCurveBesideThem) {
   }
 }
 
+TEST(NetworkProblems, AnOpenCurveMeetsItselfAlsoWithItsEnds) {
+  auto curves = square();
+  NetworkCurve bent;
+  bent.definition.name = "B";
+  bent.definition.points = {{0, 3, 0}, {8, 3, 0}, {8, 8, 0}, {4, 0, 0}};
+  bent.definition.knuckles = {1, 2};
+  curves.push_back(bent);
+  const CurveNetwork network = network_of(curves);
+  EXPECT_EQ(network.regions().size(), 3u) << told(network);
+  int there = 0;
+  for (const Vector3d& node : network.frame().joined.nodes) {
+    there += (node - Vector3d(5.5, 3, 0)).norm() < 1e-12 ? 1 : 0;
+  }
+  EXPECT_EQ(there, 1);
+  // One that is closed has its start and end for a node, and no other one.
+  bent.definition.points = {{2, 2, 0}, {8, 2, 0}, {8, 8, 0}, {2, 2, 0}};
+  EXPECT_EQ(network_of({bent}).frame().joined.nodes.size(), 3u);
+}
+
 }  // namespace
 }  // namespace hull::network
