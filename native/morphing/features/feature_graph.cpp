@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <map>
 #include <tuple>
 #include <utility>
 
 #include "analysis/immersion/bodies.h"
+#include "mesh/place_text.h"
 #include "mesh/tolerances.h"
 #include "morphing/features/line_order.h"
 
@@ -207,23 +207,15 @@ int body_of(const CreaseCurve& curve, const analysis::Bodies& bodies) {
   return bodies.of_cell[left.cell >= 0 ? left.cell : right.cell];
 }
 
-// No "-0.00" for what is zero to rounding.
-double shown(double coordinate) { return std::abs(coordinate) < 0.005 ? 0.0 : coordinate; }
-
-std::string place_text(const Vector3d& p) {
-  char text[96];
-  std::snprintf(text, sizeof text, "(%.2f, %.2f, %.2f)", shown(p.x()), shown(p.y()), shown(p.z()));
-  return text;
-}
-
 }  // namespace
 
 const char* name_of(FeatureRole role) { return kRoleNames[static_cast<std::size_t>(role)]; }
 
 std::string FeatureGraph::described(int feature) const {
   const Feature& f = features[feature];
-  return std::string("the ") + name_of(f.role) + " from " + place_text(f.curve.point_at(0.0)) +
-         " to " + place_text(f.curve.point_at(f.curve.length()));
+  return std::string("the ") + name_of(f.role) + " from " +
+         mesh::place_text(f.curve.point_at(0.0), 2) + " to " +
+         mesh::place_text(f.curve.point_at(f.curve.length()), 2);
 }
 
 std::string FeatureGraph::described_body(int body) const {
@@ -238,7 +230,8 @@ std::string FeatureGraph::described_body(int body) const {
   }
   if (points.empty()) return "the closed body without a crease";
   const HullBox extent = box_of(points);
-  return "the body between " + place_text(extent.low) + " and " + place_text(extent.high);
+  return "the body between " + mesh::place_text(extent.low, 2) + " and " +
+         mesh::place_text(extent.high, 2);
 }
 
 FeatureGraph feature_graph(const surface::LimitSurface& surface) {

@@ -10,6 +10,7 @@
 #include "modelling/fairing/spline_ends.h"
 #include "network/curves/conics.h"
 #include "network/curves/master_order.h"
+#include "network/joining/network_problem.h"
 
 namespace hull::network {
 namespace {
@@ -24,11 +25,6 @@ struct EndShape {
   std::optional<Vector3d> tangent, curvature;
   bool is_straight = false;
 };
-
-std::string metres(double value) {
-  std::string text = std::to_string(value);
-  return text.substr(0, text.find('.') + 4) + " m";
-}
 
 // Makes the shape of one curve; its masters have theirs.
 class Shaping {
@@ -96,7 +92,7 @@ void Shaping::check() const {
   for (std::size_t i = 0; i < points.size(); ++i) {
     const double off = std::abs(plane.normal.dot(points[i]) - plane.distance) / length;
     if (off > tolerance_) {
-      refuse("point " + std::to_string(i) + " is " + metres(off) + " off its plane.");
+      refuse("point " + std::to_string(i) + " is " + length_text(off) + " off its plane.");
     }
   }
 }
@@ -144,8 +140,9 @@ EndShape Shaping::of_master(const EndCondition& condition, bool is_start) const 
     least = distance;
   }
   if (least > tolerance_) {
-    refuse("its " + std::string(is_start ? "start" : "end") + " is " + metres(least) + " from " +
-           definitions_[static_cast<std::size_t>(condition.master)].name + ", its master.");
+    refuse("its " + std::string(is_start ? "start" : "end") + " is " + length_text(least) +
+           " from " + definitions_[static_cast<std::size_t>(condition.master)].name +
+           ", its master.");
   }
   const Points3 jet = nearest->evaluate(parameter, 2);
   const Vector3d d1 = jet.row(1), d2 = jet.row(2);
@@ -253,8 +250,8 @@ NurbsCurve Shaping::conic(const EndShape& start, const EndShape& end) const {
   }
   // A conic is in one plane: towards the middle of two places it would leave in other directions.
   if (apex->apart > tolerance_) {
-    refuse("the lines along the directions at its ends miss one another by " + metres(apex->apart) +
-           ": give directions in one plane with both points.");
+    refuse("the lines along the directions at its ends miss one another by " +
+           length_text(apex->apart) + ": give directions in one plane with both points.");
   }
   return named([&] { return conic_arc(points[0], apex->place, points[1], definition_.fullness); });
 }

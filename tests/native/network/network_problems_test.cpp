@@ -259,5 +259,12 @@ TEST(NetworkProblems, AnOpenCurveMeetsItselfAlsoWithItsEnds) {
   EXPECT_EQ(network_of({bent}).frame().joined.nodes.size(), 3u);
 }
 
+TEST(NetworkProblems, LengthsAndPlacesAreToldAsOneReadsThem) {
+  EXPECT_EQ(length_text(0.0004), "0.4 mm");
+  EXPECT_EQ(length_text(0.9994), "999 mm");
+  EXPECT_EQ(length_text(0.99999), "1.000 m");
+  EXPECT_EQ(place_text({1.0, -1e-17, 2.5}), "(1.000, 0.000, 2.500) m");
+}
+
 }  // namespace
 }  // namespace hull::network
