@@ -239,5 +239,23 @@ TEST(ReferenceCurves, AreFreeAlongTheBordersPartOfASideAlone) {
   }
 }
 
+// What a spline along it would be off is no matter: the patch is plane, as the curve is.
+TEST(ReferenceCurves, AreNotToldOfForTheirOwnSplines) {
+  auto curves = hull::testing::square();
+  NetworkCurve sharp;
+  sharp.definition.name = "R";
+  sharp.definition.kind = CurveDefinition::Kind::kConic;
+  sharp.definition.points = {{0, 4, 0}, {10, 4, 0}};
+  sharp.definition.start = {EndCondition::Kind::kTangent, {1, 0.5, 0}, -1};
+  sharp.definition.end = {EndCondition::Kind::kTangent, {1, -0.5, 0}, -1};
+  sharp.definition.fullness = 1000.0;
+  curves.push_back(sharp);
+  const auto problems = [&] { return network_patches(network_of(curves), {4, 1e-9}).problems; };
+  ASSERT_EQ(problems().size(), 1u);
+  EXPECT_EQ(problems().front().kind, NetworkProblem::Kind::kMissedCurve);
+  curves.back().role = NetworkCurve::Role::kReference;
+  EXPECT_TRUE(problems().empty());
+}
+
 }  // namespace
 }  // namespace hull::network
