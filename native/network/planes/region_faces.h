@@ -35,7 +35,4 @@ struct RegionFaces {
 RegionFaces region_faces(const JoinedCurves& joined, const std::vector<EdgeShape>& shapes,
                          const NodeOrder& order);
 
-// The angle, 0 … 2π, from one direction to another around a node's normal, counterclockwise.
-double angle_around(const Vector3d& normal, const Vector3d& from, const Vector3d& to);
-
 }  // namespace hull::network
