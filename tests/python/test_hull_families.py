@@ -113,6 +113,17 @@ def test_t_for_a_wanted_volume(coaster, pair):
     assert found == pytest.approx(wanted, rel=1e-9)
     assert whole.at_volume(10 * wanted) == []
     assert whole.at_volume(whole.volume[0]) == pytest.approx([0.0], abs=1e-11)
+    # A root there by rounding is one, on whichever side of the beginning it is found.
+    for off in (-9e-13, -5e-13, 5e-13, 9e-13):
+        assert whole.at_volume((1 + off) * whole.volume[0]) == pytest.approx([0.0], abs=1e-10)
+
+
+def test_departure_of_what_has_no_volume_is_no_number(coaster):
+    points = coaster.surface.mesh.points
+    flat = remade(coaster.surface, points=points * [1, 0, 1])
+    family = hn.HullFamily([coaster.surface, flat])
+    assert np.isnan(family.whole_volume([0, 1], [0, 1], mirrored=True).departure)
+    assert family.whole_volume([1, 0], [0, 1], mirrored=True).departure <= EXACT
 
 
 def test_t_for_a_wanted_displacement(coaster, pair):

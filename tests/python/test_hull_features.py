@@ -127,6 +127,45 @@ def test_a_renumbered_hull_is_found_again(name):
     assert np.array_equal(order[found], np.arange(len(order)))
 
 
+def tube_with_a_crease(around=14, rows=9):
+    """An oval tube along the ship, open at both ends, with a crease around its middle."""
+    angle = 2 * np.pi * np.arange(around) / around
+    ring = np.stack([0.4 * np.sin(angle), 5 + 3 * np.cos(angle), 2 * np.sin(angle)], axis=1)
+    points = np.concatenate([ring + [3.0 * k, 0, 0.1 * k] for k in range(rows)])
+    number = np.arange(around * rows).reshape(rows, around)
+    beside = np.roll(number, -1, axis=1)
+    faces = np.stack([number[:-1], beside[:-1], beside[1:], number[1:]], axis=2).reshape(-1, 4)
+    middle = rows // 2
+    creases = np.stack([number[middle], beside[middle]], axis=1)
+    mesh = hn.ControlMesh(points, [4] * len(faces), faces.ravel(), creases)
+    return hn.LimitSurface(mesh)
+
+
+def closed_hulls():
+    return [tube_with_a_crease(), Sample("sailing_yacht").surface]
+
+
+@pytest.mark.parametrize("surface", closed_hulls(), ids=["tube", "yacht"])
+def test_closed_lines_begin_and_run_whatever_the_numbers(surface):
+    graph = hn.feature_graph(surface)
+    size = np.ptp(surface.mesh.points, axis=0).max()
+    assert any(f.nodes[0] == f.nodes[-1] for f in graph.features)
+    ours = sorted(graph.features, key=lambda f: (f.role, list(f.nodes)))
+    for seed in range(6):
+        other, order = renumbered(surface, np.random.default_rng([SEED, seed]))
+        again = hn.feature_graph(other)
+        # By their control points: bodies, and with them features, go by numbers.
+        theirs = sorted(again.features, key=lambda f: (f.role, list(order[f.nodes])))
+        for one, same in zip(ours, theirs, strict=True):
+            assert one.role == same.role and np.array_equal(order[same.nodes], one.nodes)
+            assert np.abs(np.subtract(same.lengths, one.lengths)).max() <= 1e-9 * size
+            shares = np.linspace(0, one.curve.length, 7)
+            off = same.curve.points_at(shares) - one.curve.points_at(shares)
+            assert np.abs(off).max() <= 1e-9 * size
+        distances = [distance for _, _, distance, _ in hn.match_features(graph, again).pairs]
+        assert len(distances) == len(ours) and max(distances) <= 1e-9
+
+
 def test_another_topology_is_no_renumbering():
     surface = Sample("coaster").surface
     mesh = surface.mesh

@@ -111,16 +111,19 @@ WholeVolume::WholeVolume(const HullFamily& family, const FamilyWay& way, bool mi
   for (int i = 0; i < 5; ++i) of_moments.row(i) = moments[i].transpose();
   moments_ = through_nodes<5>(of_moments).transpose();
   departure_ = 0.0;
+  // What is no number, as of members without volume, is the most, and stays.
+  const auto take = [this](double off) {
+    if (!(off <= departure_)) departure_ = off;
+  };
   for (std::size_t i = 4; i < kNodes.size(); ++i) {
     // Nodes that the cubic was not made of.
-    const double off = std::abs(volume_at(kNodes[i]) - volumes[i]);
-    departure_ = std::max(departure_, off / std::abs(volumes[i]));
+    take(std::abs(volume_at(kNodes[i]) - volumes[i]) / std::abs(volumes[i]));
   }
   // Five nodes make the quartics: only the sixth tells of them.
   const double t = kNodes.back();
   const Vector3d centre = moments.back() / volumes.back();
   const double size = family.parents()[0].mesh().size();
-  departure_ = std::max(departure_, (centre_at(t) - centre).norm() / size);
+  take((centre_at(t) - centre).norm() / size);
 }
 
 double WholeVolume::volume_at(double t) const { return polynomial(volume_, t); }
@@ -137,10 +140,17 @@ std::vector<double> WholeVolume::at_volume(double wanted, double low, double hig
   }
   const analysis::BezierCubic cubic = on_interval(volume_, low, high, wanted);
   std::vector<double> found;
-  // A root at the beginning is none of the signs' changes; one so near to it is the same.
-  if (std::abs(cubic[0]) <= kSameRoot * std::abs(volume_at(low))) found.push_back(low);
+  const double rounding = kSameRoot * std::abs(volume_at(low));
+  // A root at the beginning is none of the signs' changes.
+  const bool has_low = std::abs(cubic[0]) <= rounding;
+  if (has_low) found.push_back(low);
   for (double root : analysis::sign_changes(cubic)) {
     const double t = low + (high - low) * root;
+    // Where the volume is the wanted one to rounding all the way from there it is the same root:
+    // half way is where it would be off.
+    const bool is_low =
+        has_low && found.size() == 1 && std::abs(analysis::evaluate(cubic, 0.5 * root)) <= rounding;
+    if (is_low) continue;
     if (found.empty() || t - found.back() > kSameRoot * (high - low)) found.push_back(t);
   }
   return found;

@@ -32,7 +32,8 @@ class WholeVolume {
   // Coefficients of 1, t, t² …: m³, and m⁴ of ∫ (x, y, z) dV.
   const Eigen::Vector4d& volume() const { return volume_; }
   const Eigen::Matrix<double, 3, 5>& moments() const { return moments_; }
-  // By how much a member is off, as a part of volume: rounding, of polynomials.
+  // By how much a member is off, as a part of volume: rounding, of polynomials; no number where
+  // members have no volume.
   double departure() const { return departure_; }
 
   double volume_at(double t) const;

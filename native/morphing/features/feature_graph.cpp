@@ -4,13 +4,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <map>
 #include <tuple>
 #include <utility>
 
 #include "analysis/immersion/bodies.h"
+#include "mesh/place_text.h"
 #include "mesh/tolerances.h"
+#include "morphing/features/line_order.h"
 
 namespace hull::morphing {
 namespace {
@@ -90,12 +91,6 @@ FeatureRole role_of(const CreaseCurve& curve, const HullBox& hull, double size) 
                                                                    : FeatureRole::kOpening;
 }
 
-// A chain as a step of a feature: its number, and whether it is run through backwards.
-struct Link {
-  int chain;
-  bool is_backward;
-};
-
 class Grouping {
  public:
   Grouping(const std::vector<CreaseCurve>& curves, const std::vector<FeatureRole>& roles,
@@ -157,43 +152,33 @@ class Grouping {
   std::map<std::tuple<int, int, int>, std::vector<int>> leaving_;
 };
 
-Vector3d end_of(const CreaseCurve& curve, bool at_begin) {
-  return curve.evaluate(at_begin ? 0.0 : curve.edge_count(), 0).point;
-}
-
-// Whether a line from one point to the other runs forward, upwards or outwards, whichever is most.
-bool is_in_order(const Vector3d& from, const Vector3d& to) {
-  const Vector3d way = to - from;
-  if (std::abs(way.x()) >= std::max(std::abs(way.y()), std::abs(way.z()))) return way.x() >= 0.0;
-  if (std::abs(way.z()) >= std::abs(way.y())) return way.z() >= 0.0;
-  // Lines of a whole hull go over the centre plane, from starboard to port as on one side of it.
-  if (from.y() * to.y() < 0.0) return way.y() >= 0.0;
-  return std::abs(to.y()) >= std::abs(from.y());
-}
-
-std::vector<FieldCurve::Arc> arcs_of(const CreaseCurve& curve, bool is_backward) {
+// `vertex`: with which a closed curve begins.
+std::vector<FieldCurve::Arc> arcs_of(const CreaseCurve& curve, bool is_backward, int vertex) {
   // As cubics by their control points: backwards these, and the order of the cubics.
   std::vector<FieldCurve::Arc> arcs = FieldCurve::of_spline(curve.spline()).arcs();
-  if (!is_backward) return arcs;
-  std::reverse(arcs.begin(), arcs.end());
-  for (FieldCurve::Arc& arc : arcs) std::reverse(arc.begin(), arc.end());
+  if (is_backward) {
+    std::reverse(arcs.begin(), arcs.end());
+    for (FieldCurve::Arc& arc : arcs) std::reverse(arc.begin(), arc.end());
+  }
+  if (vertex == 0) return arcs;
+  // Both ends are one to rounding, and come to be within.
+  arcs.front()[0] = arcs.back()[3];
+  const Vector3d begin = curve.evaluate(vertex, 0).point;
+  std::ranges::rotate(arcs, std::ranges::min_element(arcs, {}, [&](const FieldCurve::Arc& arc) {
+                        return (arc[0] - begin).squaredNorm();
+                      }));
   return arcs;
 }
 
 Feature feature_of(const std::vector<CreaseCurve>& curves, std::vector<Link> line, FeatureRole role,
-                   int body) {
-  const Vector3d from = end_of(curves[line.front().chain], !line.front().is_backward);
-  const Vector3d to = end_of(curves[line.back().chain], line.back().is_backward);
-  if (!is_in_order(from, to)) {
-    std::reverse(line.begin(), line.end());
-    for (Link& link : line) link.is_backward = !link.is_backward;
-  }
+                   int body, const HullBox& hull) {
+  const int vertex = set_order(curves, hull, line);
   std::vector<FieldCurve::Arc> arcs;
   std::vector<double> lengths{0.0};
   std::vector<int> chains, nodes;
   std::vector<char> is_backward;
   for (const Link& link : line) {
-    const std::vector<FieldCurve::Arc> own = arcs_of(curves[link.chain], link.is_backward);
+    const std::vector<FieldCurve::Arc> own = arcs_of(curves[link.chain], link.is_backward, vertex);
     lengths.push_back(lengths.back() + FieldCurve(own).length());
     arcs.insert(arcs.end(), own.begin(), own.end());
     // Chains meet in a control point that the surface goes through, to rounding of each.
@@ -202,8 +187,9 @@ Feature feature_of(const std::vector<CreaseCurve>& curves, std::vector<Link> lin
     const std::vector<int>& v = curves[link.chain].vertices();
     chains.push_back(link.chain);
     is_backward.push_back(link.is_backward);
-    if (nodes.empty()) nodes.push_back(link.is_backward ? v.back() : v.front());
     const bool is_closed = curves[link.chain].closed();
+    if (nodes.empty())
+      nodes.push_back(is_closed ? v[vertex] : link.is_backward ? v.back() : v.front());
     nodes.push_back(is_closed ? nodes.front() : link.is_backward ? v.front() : v.back());
   }
   return {role,
@@ -221,23 +207,15 @@ int body_of(const CreaseCurve& curve, const analysis::Bodies& bodies) {
   return bodies.of_cell[left.cell >= 0 ? left.cell : right.cell];
 }
 
-// No "-0.00" for what is zero to rounding.
-double shown(double coordinate) { return std::abs(coordinate) < 0.005 ? 0.0 : coordinate; }
-
-std::string place_text(const Vector3d& p) {
-  char text[96];
-  std::snprintf(text, sizeof text, "(%.2f, %.2f, %.2f)", shown(p.x()), shown(p.y()), shown(p.z()));
-  return text;
-}
-
 }  // namespace
 
 const char* name_of(FeatureRole role) { return kRoleNames[static_cast<std::size_t>(role)]; }
 
 std::string FeatureGraph::described(int feature) const {
   const Feature& f = features[feature];
-  return std::string("the ") + name_of(f.role) + " from " + place_text(f.curve.point_at(0.0)) +
-         " to " + place_text(f.curve.point_at(f.curve.length()));
+  return std::string("the ") + name_of(f.role) + " from " +
+         mesh::place_text(f.curve.point_at(0.0), 2) + " to " +
+         mesh::place_text(f.curve.point_at(f.curve.length()), 2);
 }
 
 std::string FeatureGraph::described_body(int body) const {
@@ -252,7 +230,8 @@ std::string FeatureGraph::described_body(int body) const {
   }
   if (points.empty()) return "the closed body without a crease";
   const HullBox extent = box_of(points);
-  return "the body between " + place_text(extent.low) + " and " + place_text(extent.high);
+  return "the body between " + mesh::place_text(extent.low, 2) + " and " +
+         mesh::place_text(extent.high, 2);
 }
 
 FeatureGraph feature_graph(const surface::LimitSurface& surface) {
@@ -270,7 +249,7 @@ FeatureGraph feature_graph(const surface::LimitSurface& surface) {
   for (std::vector<Link>& line : Grouping(graph.curves, roles, body_of_chain).lines()) {
     const int chain = line.front().chain;
     graph.features.push_back(
-        feature_of(graph.curves, std::move(line), roles[chain], body_of_chain[chain]));
+        feature_of(graph.curves, std::move(line), roles[chain], body_of_chain[chain], graph.box));
   }
   // By places, so that numbers of features do not follow those of points.
   const auto order = [](const Feature& f) {

@@ -37,7 +37,8 @@ struct Feature {
   std::vector<char> is_backward;  // … and whether each is run through against its own direction
   std::vector<double> lengths;    // along the curve, m: at the chains' ends, from 0 on
   std::vector<int> nodes;         // control points at these; the first again of a closed one
-  modelling::FieldCurve curve;    // from aft to forward, from below upwards, or outwards
+  // From aft to forward, from below upwards, or outwards; of a closed one set_order() tells.
+  modelling::FieldCurve curve;
   bool closed() const { return nodes.front() == nodes.back(); }
 };
 

@@ -30,10 +30,10 @@ struct FeatureMatch {
 };
 
 // Pairs features of two hulls: first those given, then of equal roles the nearest ones, one after
-// the other. Features of a role that each body has once are paired wherever they lie; of others
-// those within kFarthestPair. Bodies are those of paired_bodies(). Those held apart are in no pair
-// unless it is given.
-// Throws std::invalid_argument for given pairs that are none, or that name a feature twice.
+// the other. Features of a role that each body has once, but for knuckles, are paired wherever they
+// lie; of others those within kFarthestPair. Bodies are those of paired_bodies(). Those held apart
+// are in no pair unless it is given. Throws std::invalid_argument for given pairs that are none, or
+// that name a feature twice.
 FeatureMatch match_features(const FeatureGraph& first, const FeatureGraph& second,
                             const std::vector<std::array<int, 2>>& given = {},
                             const std::vector<std::array<int, 2>>& apart = {});

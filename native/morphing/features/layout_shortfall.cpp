@@ -6,13 +6,13 @@
 #include <limits>
 #include <vector>
 
+#include "mesh/place_text.h"
+
 namespace hull::morphing {
 namespace {
 
 std::string at_text(const Vector3d& p, const char* hull) {
-  char text[128];
-  std::snprintf(text, sizeof text, "(%.2f, %.2f, %.2f) of the %s", p.x(), p.y(), p.z(), hull);
-  return text;
+  return mesh::place_text(p, 2) + " of the " + hull;
 }
 
 // The nearest of some features to a place; -1 where there are none.

@@ -36,6 +36,11 @@ Star star_of(const TriangleDisc& disc, int point) {
   return star;
 }
 
+[[noreturn]] void refuse_flat(int point) {
+  throw std::invalid_argument("The triangles around point " + std::to_string(point) +
+                              " have no area: leave the point out.");
+}
+
 // Directions of the edges laid flat, from 0 to 2 pi; the last, 2 pi, is the first edge again.
 std::vector<double> flat_directions(const Star& star, int point) {
   std::vector<double> directions{0.0};
@@ -44,10 +49,7 @@ std::vector<double> flat_directions(const Star& star, int point) {
     // By sine and cosine: near 0 and pi either alone loses half the digits.
     directions.push_back(directions.back() + std::atan2(e.cross(f).norm(), e.dot(f)));
   }
-  if (!(directions.back() > 0.0)) {
-    throw std::invalid_argument("The triangles around point " + std::to_string(point) +
-                                " have no area: leave the point out.");
-  }
+  if (!(directions.back() > 0.0)) refuse_flat(point);
   const double scale = 2.0 * std::numbers::pi / directions.back();
   for (double& direction : directions) direction *= scale;
   // No gap is left by rounding before the first edge.
@@ -120,6 +122,7 @@ std::vector<double> mean_value(const Star& star, int point) {
     }
     half_tangents.push_back(e.cross(f).norm() / cosine);
   }
+  if (!(std::ranges::max(half_tangents) > 0.0)) refuse_flat(point);
   std::vector<double> weights;
   for (int k = 0; k < count; ++k) {
     weights.push_back((half_tangents[(k + count - 1) % count] + half_tangents[k]) /

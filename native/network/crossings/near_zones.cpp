@@ -57,6 +57,31 @@ bool touch(double low, double high, double other_low, double other_high, double 
   return low <= other_high + slack && other_low <= high + slack;
 }
 
+// Zones that touch on both curves: neighbours end at the same parameters but for rounding; on one
+// curve alone they may be different meetings.
+std::vector<std::pair<std::size_t, std::size_t>> touching_pairs(const std::vector<NearZone>& zones,
+                                                                double first_slack,
+                                                                double second_slack) {
+  std::vector<std::size_t> order(zones.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::sort(order, {}, [&](std::size_t i) { return zones[i].first_low; });
+  std::vector<std::pair<std::size_t, std::size_t>> pairs;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const NearZone& a = zones[order[i]];
+    for (std::size_t k = i + 1; k < order.size(); ++k) {
+      const NearZone& b = zones[order[k]];
+      // None that begins later touches it, either: curves that lie on one another have thousands.
+      if (b.first_low > a.first_high + first_slack) break;
+      if (touch(a.second_low, a.second_high, b.second_low, b.second_high, second_slack)) {
+        pairs.emplace_back(std::minmax(order[i], order[k]));
+      }
+    }
+  }
+  // By numbers, which the order of groups follows.
+  std::ranges::sort(pairs);
+  return pairs;
+}
+
 }  // namespace
 
 std::optional<SegmentZone> near_segments(const Vector3d& first_start, const Vector3d& first_end,
@@ -125,17 +150,9 @@ std::vector<std::vector<NearZone>> coherent_zones(const std::vector<NearZone>& z
     first_size = std::max({first_size, std::abs(zone.first_low), std::abs(zone.first_high)});
     second_size = std::max({second_size, std::abs(zone.second_low), std::abs(zone.second_high)});
   }
-  for (std::size_t i = 0; i < zones.size(); ++i) {
-    for (std::size_t k = i + 1; k < zones.size(); ++k) {
-      const NearZone &a = zones[i], &b = zones[k];
-      // Neighbours end at the same parameters but for rounding; on one curve alone they may be
-      // different meetings.
-      if (touch(a.first_low, a.first_high, b.first_low, b.first_high, kSameLimit * first_size) &&
-          touch(a.second_low, a.second_high, b.second_low, b.second_high,
-                kSameLimit * second_size)) {
-        root[root_of(i)] = root_of(k);
-      }
-    }
+  for (const auto& [i, k] :
+       touching_pairs(zones, kSameLimit * first_size, kSameLimit * second_size)) {
+    root[root_of(i)] = root_of(k);
   }
   std::vector<std::vector<NearZone>> groups(zones.size());
   for (std::size_t i = 0; i < zones.size(); ++i) groups[root_of(i)].push_back(zones[i]);

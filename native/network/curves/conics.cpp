@@ -10,6 +10,8 @@ namespace hull::network {
 namespace {
 
 constexpr double kStraight = 1e-12;  // sine of an angle between directions of one line
+// The square of a sine: tangents within 1e-6 rad of one line have no place where they meet.
+constexpr double kParallel = 1e-12;
 constexpr double kQuarter = 0.5 * std::numbers::pi;
 
 // A circle with two directions of its plane at right angles, `first` to the arc's start.
@@ -66,6 +68,17 @@ NurbsCurve conic_arc(const Vector3d& start, const Vector3d& apex, const Vector3d
   points << start.transpose(), apex.transpose(), end.transpose();
   return {
       2, {0.0, 0.0, 0.0, 1.0, 1.0, 1.0}, std::move(points), Eigen::Vector3d(1.0, fullness, 1.0)};
+}
+
+std::optional<Apex> apex_of(const Vector3d& start, const Vector3d& along, const Vector3d& end,
+                            const Vector3d& back) {
+  const double c = along.dot(back), below = 1.0 - c * c;
+  if (!(below > kParallel)) return std::nullopt;
+  const Vector3d chord = end - start;
+  const double s = (chord.dot(along) - c * chord.dot(back)) / below;
+  const double t = (c * chord.dot(along) - chord.dot(back)) / below;
+  return Apex{0.5 * (start + s * along + end + t * back),
+              (start + s * along - end - t * back).norm()};
 }
 
 NurbsCurve arc_through(const Vector3d& start, const Vector3d& point, const Vector3d& end) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
+
 #include "network/curves/nurbs_curve.h"
 
 namespace hull::network {
@@ -13,6 +15,15 @@ namespace hull::network {
 // below 1 an ellipse, 1 a parabola, above 1 a hyperbola.
 NurbsCurve conic_arc(const Vector3d& start, const Vector3d& apex, const Vector3d& end,
                      double fullness);
+
+// Where the lines from both ends along unit directions are nearest to one another: the middle of
+// those two places, and how far apart they are, m. None where the lines are parallel.
+struct Apex {
+  Vector3d place;
+  double apart;
+};
+std::optional<Apex> apex_of(const Vector3d& start, const Vector3d& along, const Vector3d& end,
+                            const Vector3d& back);
 
 // The circular arc from start to end by way of a point; in parts of at most a quarter circle.
 NurbsCurve arc_through(const Vector3d& start, const Vector3d& point, const Vector3d& end);

@@ -10,6 +10,7 @@
 #include "modelling/fairing/spline_ends.h"
 #include "network/curves/conics.h"
 #include "network/curves/master_order.h"
+#include "network/joining/network_problem.h"
 
 namespace hull::network {
 namespace {
@@ -24,11 +25,6 @@ struct EndShape {
   std::optional<Vector3d> tangent, curvature;
   bool is_straight = false;
 };
-
-std::string metres(double value) {
-  std::string text = std::to_string(value);
-  return text.substr(0, text.find('.') + 4) + " m";
-}
 
 // Makes the shape of one curve; its masters have theirs.
 class Shaping {
@@ -96,7 +92,7 @@ void Shaping::check() const {
   for (std::size_t i = 0; i < points.size(); ++i) {
     const double off = std::abs(plane.normal.dot(points[i]) - plane.distance) / length;
     if (off > tolerance_) {
-      refuse("point " + std::to_string(i) + " is " + metres(off) + " off its plane.");
+      refuse("point " + std::to_string(i) + " is " + length_text(off) + " off its plane.");
     }
   }
 }
@@ -144,8 +140,9 @@ EndShape Shaping::of_master(const EndCondition& condition, bool is_start) const 
     least = distance;
   }
   if (least > tolerance_) {
-    refuse("its " + std::string(is_start ? "start" : "end") + " is " + metres(least) + " from " +
-           definitions_[static_cast<std::size_t>(condition.master)].name + ", its master.");
+    refuse("its " + std::string(is_start ? "start" : "end") + " is " + length_text(least) +
+           " from " + definitions_[static_cast<std::size_t>(condition.master)].name +
+           ", its master.");
   }
   const Points3 jet = nearest->evaluate(parameter, 2);
   const Vector3d d1 = jet.row(1), d2 = jet.row(2);
@@ -223,18 +220,6 @@ CurveShape Shaping::free() const {
   return shape;
 }
 
-// Where the tangents at the ends meet: nearest to both, as they may miss one another by rounding.
-std::optional<Vector3d> apex_of(const Vector3d& start, const Vector3d& along, const Vector3d& end,
-                                const Vector3d& back) {
-  const double c = along.dot(back), below = 1.0 - c * c;
-  // The square of a sine: tangents within 1e-6 rad of one line have no place where they meet.
-  if (!(below > kNoDirection)) return {};
-  const Vector3d chord = end - start;
-  const double s = (chord.dot(along) - c * chord.dot(back)) / below;
-  const double t = (c * chord.dot(along) - chord.dot(back)) / below;
-  return 0.5 * (start + s * along + end + t * back);
-}
-
 NurbsCurve Shaping::line() const {
   if (definition_.points.size() != 2) refuse("a straight line has two points.");
   Points3 ends(2, 3);
@@ -259,11 +244,16 @@ NurbsCurve Shaping::conic(const EndShape& start, const EndShape& end) const {
     refuse("a conic has two points and directions at both.");
   }
   const auto apex = apex_of(points[0], *start.tangent, points[1], -*end.tangent);
-  if (!apex || (*apex - points[0]).dot(*start.tangent) <= 0.0 ||
-      (points[1] - *apex).dot(*end.tangent) <= 0.0) {
+  if (!apex || (apex->place - points[0]).dot(*start.tangent) <= 0.0 ||
+      (points[1] - apex->place).dot(*end.tangent) <= 0.0) {
     refuse("the directions at its ends do not meet between them.");
   }
-  return named([&] { return conic_arc(points[0], *apex, points[1], definition_.fullness); });
+  // A conic is in one plane: towards the middle of two places it would leave in other directions.
+  if (apex->apart > tolerance_) {
+    refuse("the lines along the directions at its ends miss one another by " +
+           length_text(apex->apart) + ": give directions in one plane with both points.");
+  }
+  return named([&] { return conic_arc(points[0], apex->place, points[1], definition_.fullness); });
 }
 
 CurveShape Shaping::simple() const {

@@ -65,18 +65,17 @@ class Contacting {
   void within(int curve) {
     const int count = static_cast<int>(pieces(curve).size());
     const int last = count - 1;
+    const CurvePlace start = place(curve, 0, pieces(curve).front().curve().begin());
+    const CurvePlace end = place(curve, last, pieces(curve).back().curve().end());
+    const bool is_closed = (start.place - end.place).norm() <= options_.tolerance;
     for (int a = 0; a < count; ++a) {
       // Neighbours always meet, in their knuckle, and so do both ends of a closed curve.
       for (int b = a + 2; b < count; ++b) {
-        if (!(a == 0 && b == last)) meet(curve, a, curve, b);
+        if (!(is_closed && a == 0 && b == last)) meet(curve, a, curve, b);
       }
     }
-    const CurvePlace start = place(curve, 0, pieces(curve).front().curve().begin());
-    const CurvePlace end = place(curve, last, pieces(curve).back().curve().end());
     // A closed curve begins and ends in one node.
-    if ((start.place - end.place).norm() <= options_.tolerance) {
-      contacts_.joined.push_back({start, end});
-    }
+    if (is_closed) contacts_.joined.push_back({start, end});
   }
 
   void between(int i, int k) {

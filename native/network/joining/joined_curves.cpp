@@ -211,6 +211,7 @@ class Joining {
         return (a.at.place - place).norm() < (b.at.place - place).norm();
       });
       result_.visits.push_back({best->at.curve, best->at.piece, best->at.parameter, node});
+      first_pieces_.push_back(first->at.piece);
       i = end;
     }
   }
@@ -220,9 +221,9 @@ class Joining {
       const NodeVisit &a = result_.visits[i], &b = result_.visits[i + 1];
       if (a.curve != b.curve) continue;
       const auto& pieces = shapes_[static_cast<std::size_t>(a.curve)].pieces;
-      // From a knuckle on the piece is that of what follows.
-      const bool is_next = a.parameter == pieces[static_cast<std::size_t>(a.piece)].end();
-      const int piece = is_next && b.piece > a.piece ? a.piece + 1 : a.piece;
+      // That of the marks on either side of what is between, which are of one: visits may be at
+      // other knuckles, as a short piece may be all within one.
+      const int piece = first_pieces_[i + 1];
       const NurbsCurve& on = pieces[static_cast<std::size_t>(piece)];
       const double low = piece == a.piece ? a.parameter : on.begin();
       const double high = piece == b.piece ? b.parameter : on.end();
@@ -278,6 +279,7 @@ class Joining {
   std::vector<Mark> marks_;
   std::vector<bool> is_one_;  // of a mark: it is of the same visit as the one before
   std::vector<int> node_of_class_;
+  std::vector<int> first_pieces_;  // of visits: the piece that comes to them
   std::size_t class_count_ = 0;
   std::vector<bool> is_copy_;
 };

@@ -3,17 +3,16 @@
 
 #include <cstdio>
 
+#include "mesh/place_text.h"
+
 namespace hull::network {
 
-std::string place_text(const Vector3d& place) {
-  char text[120];
-  std::snprintf(text, sizeof text, "(%.3f, %.3f, %.3f) m", place.x(), place.y(), place.z());
-  return text;
-}
+std::string place_text(const Vector3d& place) { return mesh::place_text(place, 3) + " m"; }
 
 std::string length_text(double length) {
   char text[60];
-  if (length < 1.0) {
+  // What rounds to a metre is one: it would be "1e+03 mm".
+  if (length < 0.9995) {
     std::snprintf(text, sizeof text, "%.3g mm", 1000.0 * length);
   } else {
     std::snprintf(text, sizeof text, "%.3f m", length);

@@ -38,7 +38,7 @@ struct NetworkProblem {
   bool is_note() const { return kind == Kind::kTee; }
 };
 
-// As messages tell them: "(1.000, 2.000, 3.000) m", and "0.500 mm" of lengths below a metre.
+// As messages tell them: "(1.000, 2.000, 3.000) m", and "0.5 mm" of lengths below a metre.
 std::string place_text(const Vector3d& place);
 std::string length_text(double length);
 

@@ -217,8 +217,7 @@ std::vector<CurveRole> CurveNetwork::roles() const {
   // Without regions nothing is known of the surface.
   for (std::size_t e = 0; e < frame.normals.is_crease.size(); ++e) {
     CurveRole& role = roles[static_cast<std::size_t>(frame.joined.edges[e].curve)];
-    const bool is_border =
-        frame.faces.region_of_side[2 * e] < 0 || frame.faces.region_of_side[2 * e + 1] < 0;
+    const bool is_border = frame.faces.is_border(static_cast<int>(e));
     ++(is_border ? role.border : frame.normals.is_crease[e] ? role.crease : role.smooth);
   }
   return roles;

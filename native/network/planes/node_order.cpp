@@ -59,6 +59,14 @@ double spread_seen(const Vector3d& normal, const std::vector<Vector3d>& directio
   return least * least_length;
 }
 
+// From 0 to 2 pi, from one direction to another around a normal, counterclockwise.
+double angle_around(const Vector3d& normal, const Vector3d& from, const Vector3d& to) {
+  const Vector3d right = (from - normal.dot(from) * normal).normalized();
+  const double angle = std::atan2(to.dot(normal.cross(right)), to.dot(right));
+  // Faces may have more than half a turn at a node.
+  return angle < 0.0 ? angle + kTurn : angle;
+}
+
 // Zero where two directions on one line leave it open.
 Vector3d view_of(const std::vector<Vector3d>& directions) {
   if (directions.size() == 2 && directions[0].dot(directions[1]) < -kPassesOn) {
@@ -118,7 +126,11 @@ class Ordering3d {
     }
     spread_senses();
     turn_outwards();
-    for (std::size_t node = 0; node < order_.around.size(); ++node) sort_ends(node);
+    order_.angles.resize(order_.around.size());
+    for (std::size_t node = 0; node < order_.around.size(); ++node) {
+      sort_ends(node);
+      set_angles(node);
+    }
     return std::move(order_);
   }
 
@@ -198,6 +210,27 @@ class Ordering3d {
         between = std::min(between, kTurn - between);
         if (between < kOneDirection && is_left_of(a, b)) std::swap(a, b);
       }
+    }
+  }
+
+  void set_angles(std::size_t node) {
+    const NodeView view(order_.normals[node]);
+    const Ends& ends = order_.around[node];
+    for (std::size_t i = 0; i < ends.size(); ++i) {
+      const EdgeEnd &a = ends[i], &b = ends[(i + 1) % ends.size()];
+      double& angle = order_.angles[node].emplace_back(kTurn);
+      // The only edge of a node turns right round.
+      if (ends.size() == 1) continue;
+      angle = angle_around(order_.normals[node], shape_of(shapes_, a).tangent_from(a.is_start),
+                           shape_of(shapes_, b).tangent_from(b.is_start));
+      // Of edges in one direction rounding tells 0 as often as a whole turn: chords tell, as they
+      // do the order.
+      const bool is_none = angle < kOneDirection;
+      const bool is_whole = angle > kTurn - kOneDirection;
+      if (!is_none && !is_whole) continue;
+      const double by_chords = turned(node, view, a, b);
+      if (is_none && by_chords < 0.0) angle += kTurn;
+      if (is_whole && by_chords > 0.0) angle -= kTurn;
     }
   }
 

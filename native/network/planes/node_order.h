@@ -13,6 +13,7 @@ namespace hull::network {
 struct NodeOrder {
   std::vector<Vector3d> normals;
   std::vector<std::vector<EdgeEnd>> around;
+  std::vector<std::vector<double>> angles;  // rad, from each of these to the next: 2π at a node
 };
 
 // At each node that direction along which its edges are seen furthest from one another; of its two

@@ -33,14 +33,16 @@ double turn_along(const JoinedCurves& joined, const std::vector<EdgeShape>& shap
   return side.is_along ? turn : -turn;
 }
 
-}  // namespace
-
-double angle_around(const Vector3d& normal, const Vector3d& from, const Vector3d& to) {
-  const Vector3d right = (from - normal.dot(from) * normal).normalized();
-  const double angle = std::atan2(to.dot(normal.cross(right)), to.dot(right));
-  // Faces may have more than half a turn at a node.
-  return angle < 0.0 ? angle + 2.0 * std::numbers::pi : angle;
+// The inner angle of a face that comes to a node and goes on along an end.
+double inner_angle(const NodeOrder& order, std::size_t node, const RegionEdge& on) {
+  const auto& ends = order.around[node];
+  const auto at = std::ranges::find_if(
+      ends, [&](const EdgeEnd& end) { return end.edge == on.edge && end.is_start == on.is_along; });
+  // Counterclockwise from there comes the end by which it came.
+  return order.angles[node][static_cast<std::size_t>(at - ends.begin())];
 }
+
+}  // namespace
 
 RegionFaces region_faces(const JoinedCurves& joined, const std::vector<EdgeShape>& shapes,
                          const NodeOrder& order) {
@@ -69,15 +71,8 @@ RegionFaces region_faces(const JoinedCurves& joined, const std::vector<EdgeShape
           side_of_half[static_cast<std::size_t>(shells.half_edges()[half].next)];
       const CurveEdge& edge = joined.edges[static_cast<std::size_t>(side.edge)];
       const auto node = static_cast<std::size_t>(side.is_along ? edge.to : edge.from);
-      // Both seen from the node: the way that was come, and the way on.
-      const Vector3d back =
-          shapes[static_cast<std::size_t>(side.edge)].tangent_from(!side.is_along);
-      const Vector3d on = shapes[static_cast<std::size_t>(next.edge)].tangent_from(next.is_along);
-      // The only edge of a node turns right round.
-      const bool is_back = order.around[node].size() == 1;
       // At a node the way turns by what its inner angle lacks of half a turn.
-      turn += std::numbers::pi -
-              (is_back ? 2.0 * std::numbers::pi : angle_around(order.normals[node], on, back));
+      turn += std::numbers::pi - inner_angle(order, node, next);
       turn += turn_along(joined, shapes, order, side);
     }
     turns.push_back(turn);

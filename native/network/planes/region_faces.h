@@ -19,6 +19,12 @@ struct RegionFaces {
   std::vector<std::vector<RegionEdge>> loops;  // of regions
   std::vector<RegionEdge> border;              // around what is beyond
   std::vector<int> region_of_side;             // 2 edge + (0 along, 1 against): -1 beyond
+
+  // Whether one side of an edge is beyond.
+  bool is_border(int edge) const {
+    const auto at = 2 * static_cast<std::size_t>(edge);
+    return region_of_side[at] < 0 || region_of_side[at + 1] < 0;
+  }
 };
 
 // Of the faces between edges that one is beyond the network's border around which the way turns
@@ -28,8 +34,5 @@ struct RegionFaces {
 // Throws NetworkFault as regions_between() does.
 RegionFaces region_faces(const JoinedCurves& joined, const std::vector<EdgeShape>& shapes,
                          const NodeOrder& order);
-
-// The angle, 0 … 2π, from one direction to another around a node's normal, counterclockwise.
-double angle_around(const Vector3d& normal, const Vector3d& from, const Vector3d& to);
 
 }  // namespace hull::network

@@ -109,13 +109,41 @@ class Planes {
   TangentPlanes planes_;
 };
 
+using EndNumbers = std::vector<std::size_t>;
+
 // The numbers of each curve's ends.
-std::vector<std::vector<std::size_t>> ends_by_curve(const NodeStar& star) {
-  std::map<int, std::vector<std::size_t>> ends;
+std::vector<EndNumbers> ends_by_curve(const NodeStar& star) {
+  std::map<int, EndNumbers> ends;
   for (std::size_t i = 0; i < star.curves.size(); ++i) ends[star.curves[i]].push_back(i);
-  std::vector<std::vector<std::size_t>> all;
+  std::vector<EndNumbers> all;
   for (auto& [curve, its_ends] : ends) all.push_back(std::move(its_ends));
   return all;
+}
+
+std::vector<EndNumbers> pairs_of(const std::vector<EndNumbers>& curves) {
+  std::vector<EndNumbers> pairs;
+  for (std::size_t i = 0; i < curves.size(); ++i) {
+    for (std::size_t k = i + 1; k < curves.size(); ++k) {
+      pairs.push_back(curves[i]);
+      pairs.back().insert(pairs.back().end(), curves[k].begin(), curves[k].end());
+    }
+  }
+  return pairs;
+}
+
+// With creases along some ends such that the deviation is least, and within the limit.
+std::optional<TangentPlanes> best_planes(const NodeStar& star, const std::vector<EndNumbers>& among,
+                                         double limit) {
+  std::optional<TangentPlanes> best;
+  for (const EndNumbers& ends : among) {
+    std::vector<bool> creases = star.is_crease;
+    for (std::size_t end : ends) creases[end] = true;
+    TangentPlanes tried = Planes(star, std::move(creases)).run();
+    if (tried.deviation <= limit && (!best || tried.deviation < best->deviation)) {
+      best = std::move(tried);
+    }
+  }
+  return best;
 }
 
 }  // namespace
@@ -123,23 +151,11 @@ std::vector<std::vector<std::size_t>> ends_by_curve(const NodeStar& star) {
 TangentPlanes tangent_planes(const NodeStar& star, double limit) {
   TangentPlanes planes = Planes(star, star.is_crease).run();
   if (planes.deviation <= limit) return planes;
-  const auto curves = ends_by_curve(star);
-  std::optional<TangentPlanes> best;
-  for (std::size_t i = 0; i < curves.size(); ++i) {
-    for (std::size_t k = i; k < curves.size(); ++k) {
-      // Of one curve rather than of two.
-      if (k > i && best) continue;
-      std::vector<bool> creases = star.is_crease;
-      // All ends of the curve: a knuckle that comes to a node goes on beyond it along its curve.
-      // Where k = i it is one curve.
-      for (std::size_t end : curves[i]) creases[end] = true;
-      for (std::size_t end : curves[k]) creases[end] = true;
-      TangentPlanes tried = Planes(star, std::move(creases)).run();
-      if (tried.deviation <= limit && (!best || tried.deviation < best->deviation)) {
-        best = std::move(tried);
-      }
-    }
-  }
+  // All ends of a curve: a knuckle that comes to a node goes on beyond it along its curve.
+  const std::vector<EndNumbers> curves = ends_by_curve(star);
+  // Of one curve rather than of two, which may well be nearer by what tangents are inexact.
+  std::optional<TangentPlanes> best = best_planes(star, curves, limit);
+  if (!best) best = best_planes(star, pairs_of(curves), limit);
   if (best) return *best;
   TangentPlanes apart = Planes(star, std::vector<bool>(star.directions.size(), true)).run();
   // Sectors by themselves are off next to nothing: what is told is how far larger planes were.

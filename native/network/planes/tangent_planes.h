@@ -30,10 +30,10 @@ struct TangentPlanes {
 // seen from outside, and not told.
 //
 // One plane for all sectors between creases and beyond-sectors, by least squares, where edges are
-// within `limit`, rad, of it. Where they are not the creases are looked for: along one or two of
-// the curves there, such that all planes are within the limit, and the deviation is least. Where
-// there are none, each sector is a plane by itself, between the two edges that bound it, and that
-// is told: no mean of planes is taken.
+// within `limit`, rad, of it. Where they are not the creases are looked for: along one of the
+// curves there, or two where one will not do, such that all planes are within the limit, and the
+// deviation is least. Where there are none, each sector is a plane by itself, between the two edges
+// that bound it, and that is told: no mean of planes is taken.
 TangentPlanes tangent_planes(const NodeStar& star, double limit);
 
 }  // namespace hull::network

@@ -36,6 +36,8 @@ std::vector<double> key_of(const RegionInput& input, const MergedRegion& region)
     for (const RegionEdge& edge : side) {
       const auto e = static_cast<std::size_t>(edge.edge);
       key.push_back(edge.is_along ? 1.0 : 0.0);
+      // There normals do not count where references are.
+      key.push_back(frame.faces.is_border(edge.edge) ? 1.0 : 0.0);
       for (const Vector3d& point : input.edges.fitted[e].curve.points) append(key, point);
       const NormalField& field = (edge.is_along ? frame.normals.left : frame.normals.right)[e];
       for (const Vector3d* part : {&field.start, &field.end, &field.start_slope, &field.end_slope})
@@ -56,7 +58,8 @@ class PatchMaker {
         input_{network.shared_frame(), edges_, tolerance, spans},
         before_(before),
         known_(std::make_shared<NetworkPatches::Known>()),
-        edge_errors_(edge_errors(network.frame(), edges_)) {}
+        edge_errors_(edge_errors(network.frame(), edges_)),
+        is_inner_(edges_.fitted.size(), false) {}
 
   NetworkPatches run() {
     for (const MergedRegion& region :
@@ -83,6 +86,7 @@ class PatchMaker {
   }
 
   void add(const MergedRegion& region) {
+    for (int edge : region.references) is_inner_[static_cast<std::size_t>(edge)] = true;
     std::vector<double> key = key_of(input_, region);
     if (const RegionQuads* old = find(key)) {
       // Into a map of its own: what regions once were is not handed on without end.
@@ -134,7 +138,8 @@ class PatchMaker {
     std::map<int, std::pair<double, Vector3d>> worst;  // of curves
     for (std::size_t e = 0; e < edges_.fitted.size(); ++e) {
       const double error = edges_.fitted[e].error;
-      if (error <= input_.tolerance) continue;
+      // Within a region no border is the edge's spline: keep() tells how far the patch is off it.
+      if (error <= input_.tolerance || is_inner_[e]) continue;
       auto& curve = worst[network_.frame().joined.edges[e].curve];
       if (error > curve.first) curve = {error, edges_.fitted[e].curve.position(0.5)};
     }
@@ -160,6 +165,7 @@ class PatchMaker {
   const NetworkPatches* before_;
   std::shared_ptr<NetworkPatches::Known> known_;
   std::vector<double> edge_errors_;
+  std::vector<bool> is_inner_;  // of edges: references within a region
   std::vector<PlacedQuads> placed_;
   NetworkPatches made_;
 };

@@ -92,6 +92,7 @@ std::vector<NormalConstraint> normal_constraints(const BSplinePatch& patch,
       if (knots[i] < kLeastShare || knots[i] > 1.0 - kLeastShare) continue;
       // At a knot of the degree's multiplicity the curve may have a kink, and no plane.
       if (knots[i] == knots[i - 1] || knots[i] == knots[i + 2]) continue;
+      if (side.has_normal && !side.has_normal(knots[i])) continue;
       all.push_back(constraint_at(patch, k, knots, knots[i], side.normal(knots[i])));
     }
   }

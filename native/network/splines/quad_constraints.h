@@ -16,7 +16,7 @@ struct NormalConstraint {
   double excess(const conversion::BSplinePatch& patch) const;
 };
 
-// At the inner knots of all sides that have normals.
+// At the inner knots of all sides at which they have normals.
 std::vector<NormalConstraint> normal_constraints(const conversion::BSplinePatch& patch,
                                                  const std::array<QuadSide, 4>& sides);
 

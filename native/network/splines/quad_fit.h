@@ -15,6 +15,8 @@ struct QuadSide {
   // By its parameter: what the surface's tangent plane is to be there, along the curve, too; unit.
   // None: whatever comes.
   std::function<Vector3d(double)> normal;
+  // Where that holds; elsewhere, too, whatever comes. None: everywhere.
+  std::function<bool(double)> has_normal = {};
 };
 
 // Points over the unit square that a patch is to pass near.

@@ -16,10 +16,12 @@ namespace {
 struct Chain {
   std::vector<std::size_t> references;
   std::vector<int> nodes;
-  std::vector<double> parameters;  // at the nodes
+  std::vector<double> parameters;    // at the nodes
+  double first_length, last_length;  // m, of the first and the last edge
 };
 
-std::vector<Chain> chains_of(const JoinedCurves& joined, const std::vector<int>& references) {
+std::vector<Chain> chains_of(const NetworkFrame& frame, const std::vector<int>& references) {
+  const JoinedCurves& joined = frame.joined;
   std::vector<std::size_t> order(references.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
   const auto edge_of = [&](std::size_t i) -> const CurveEdge& {
@@ -34,10 +36,12 @@ std::vector<Chain> chains_of(const JoinedCurves& joined, const std::vector<int>&
     const bool goes_on = last != nullptr && last->curve == edge.curve &&
                          last->piece == edge.piece && last->to == edge.from &&
                          last->high == edge.low;
-    if (!goes_on) chains.push_back({{}, {edge.from}, {edge.low}});
+    const double length = frame.shapes[static_cast<std::size_t>(references[i])].length();
+    if (!goes_on) chains.push_back({{}, {edge.from}, {edge.low}, length, length});
     chains.back().references.push_back(i);
     chains.back().nodes.push_back(edge.to);
     chains.back().parameters.push_back(edge.high);
+    chains.back().last_length = length;
     last = &edge;
   }
   return chains;
@@ -60,38 +64,74 @@ NodePlaces places_on_sides(const NetworkFrame& frame, const std::vector<RegionSi
   return places;
 }
 
+// An end of a chain: the node there, the next one, and how far that is, m.
+struct ChainEnd {
+  int next;
+  double length;
+};
+
+// Of nodes inside at which chains only end, all their ends: as where curves meet end to end.
+std::map<int, std::vector<ChainEnd>> ends_within(const std::vector<Chain>& chains,
+                                                 const NodePlaces& places) {
+  std::map<int, std::vector<ChainEnd>> ends;
+  for (const Chain& chain : chains) {
+    const auto& nodes = chain.nodes;
+    ends[nodes.front()].push_back({nodes[1], chain.first_length});
+    ends[nodes.back()].push_back({nodes[nodes.size() - 2], chain.last_length});
+  }
+  for (const Chain& chain : chains) {
+    for (std::size_t i = 1; i + 1 < chain.nodes.size(); ++i) ends.erase(chain.nodes[i]);
+  }
+  std::erase_if(ends, [&](const auto& end) { return places.contains(end.first); });
+  return ends;
+}
+
 // Adds the places of nodes inside to those on the sides.
 // Both coordinates at once, by least squares, for curves that cross do not agree on a node's place.
 void place_inner(const std::vector<Chain>& chains, NodePlaces& places) {
   std::map<int, Eigen::Index> unknown;
   Eigen::Index rows = 0;
   for (const Chain& chain : chains) {
-    // An equation for each node that a chain passes; a node where two chains cross has two.
+    // An equation for each node that a chain passes; a node where two chains cross has two, and
+    // one where chains only end has one of its own below.
     rows += std::ssize(chain.nodes) - 2;
     for (int node : chain.nodes) {
       if (!places.contains(node)) unknown.try_emplace(node, std::ssize(unknown));
     }
   }
   if (unknown.empty()) return;
+  const auto ends = ends_within(chains, places);
+  rows += std::ssize(ends);
   Eigen::MatrixXd form = Eigen::MatrixXd::Zero(rows, std::ssize(unknown));
   Eigen::MatrixXd right = Eigen::MatrixXd::Zero(rows, 2);
   Eigen::Index row = 0;
+  // What is known goes to the right.
+  const auto add = [&](int node, double weight) {
+    const auto known = places.find(node);
+    if (known != places.end()) {
+      right.row(row) -= weight * known->second.transpose();
+    } else {
+      form(row, unknown[node]) += weight;
+    }
+  };
   for (const Chain& chain : chains) {
     for (std::size_t i = 1; i + 1 < chain.nodes.size(); ++i, ++row) {
       const auto& t = chain.parameters;
       const double share = (t[i] - t[i - 1]) / (t[i + 1] - t[i - 1]);
-      // p_i = (1 - share) p_(i-1) + share p_(i+1); what is known of it goes to the right.
-      const std::pair<std::size_t, double> terms[] = {
-          {i, 1.0}, {i - 1, share - 1.0}, {i + 1, -share}};
-      for (const auto& [at, weight] : terms) {
-        const auto known = places.find(chain.nodes[at]);
-        if (known != places.end()) {
-          right.row(row) -= weight * known->second.transpose();
-        } else {
-          form(row, unknown[chain.nodes[at]]) += weight;
-        }
-      }
+      // p_i = (1 - share) p_(i-1) + share p_(i+1).
+      add(chain.nodes[i], 1.0);
+      add(chain.nodes[i - 1], share - 1.0);
+      add(chain.nodes[i + 1], -share);
     }
+  }
+  for (const auto& [node, its_ends] : ends) {
+    double sum = 0.0;
+    for (const ChainEnd& end : its_ends) sum += 1.0 / end.length;
+    // The mean of its neighbours, the nearer ones by more: of two curves end to end the place is by
+    // lengths what it is by parameters within one.
+    add(node, 1.0);
+    for (const ChainEnd& end : its_ends) add(end.next, -1.0 / (end.length * sum));
+    ++row;
   }
   const Eigen::MatrixXd found = mesh::least_norm_solutions(form, right);
   for (const auto& [node, number] : unknown) {
@@ -130,7 +170,7 @@ conversion::BSplineCurve spline_through(const std::vector<Vector3d>& places,
 ReferencePlaces::ReferencePlaces(const NetworkFrame& frame, const std::vector<RegionSide>& sides,
                                  const std::vector<int>& references)
     : parts_(references.size()) {
-  const std::vector<Chain> chains = chains_of(frame.joined, references);
+  const std::vector<Chain> chains = chains_of(frame, references);
   NodePlaces places = places_on_sides(frame, sides);
   place_inner(chains, places);
   for (const Chain& chain : chains) {

@@ -11,8 +11,9 @@ namespace hull::network {
 // Where in the unit square of a patch of four sides references run. Nodes on the sides are where
 // the sides have them; those inside are where, in the mean of squares, each divides the way between
 // its neighbours along a curve as it does the curve's parameter, so that curves which cross like
-// parameter lines of a patch are straight lines. Along a curve places are a cubic spline through
-// those of its nodes, by its parameter.
+// parameter lines of a patch are straight lines; where curves only end it is the mean of its
+// neighbours, by the inverse of how far along the curves they are. Along a curve places are a cubic
+// spline through those of its nodes, by its parameter.
 class ReferencePlaces {
  public:
   // `sides`: four, counterclockwise, side 0 from (0, 0) to (1, 0). `references`: edges inside.

@@ -13,9 +13,10 @@
 namespace hull::network {
 namespace {
 
-constexpr int kPlateSamples = 8;  // of a side, but of short ones
-constexpr int kTurnSamples = 5;   // each way, of a patch whose normals are looked at
-constexpr int kFoldSamples = 4;   // each way, of a patch of four sides
+constexpr int kPlateSamples = 8;    // of a side, but of short ones
+constexpr int kTurnSamples = 5;     // each way, of a patch whose normals are looked at
+constexpr int kFoldSamples = 4;     // each way, of a patch of four sides
+constexpr double kAtBorder = 1e-9;  // of a side: a knot that near to a node is there
 
 QuadSide whole(const SideSpline& side) {
   return {side.curve(), [&side](double t) { return side.normal(t); }};
@@ -44,11 +45,20 @@ RegionQuads single_quad(const RegionInput& input, const std::vector<SideSpline>&
   return quads;
 }
 
-// What reference curves tell of the tangent planes along the network's border is all there is.
+// What reference curves tell of the tangent planes along the network's border is all there is. A
+// side may be border in part alone, as of a sheer that goes on as a knuckle.
 void free_border(const RegionInput& input, const SideSpline& side, QuadSide& quad_side) {
-  const RegionEdge& edge = side.parts().edges().front();
-  const auto sides = input.frame->faces.region_of_side.begin() + 2 * edge.edge;
-  if (sides[0] < 0 || sides[1] < 0) quad_side.normal = nullptr;
+  const RegionFaces& faces = input.frame->faces;
+  quad_side.has_normal = [&faces, &side](double t) {
+    const SideParts& parts = side.parts();
+    const std::vector<double>& ends = parts.ends();
+    for (std::size_t i = 0; i < parts.edges().size(); ++i) {
+      if (faces.is_border(parts.edges()[i].edge)) continue;
+      // Also at its nodes, where the border begins: the region beyond it has its plane there.
+      if (t > ends[i] - kAtBorder && t < ends[i + 1] + kAtBorder) return true;
+    }
+    return false;
+  };
 }
 
 RegionQuads quad_with_references(const RegionInput& input, const std::vector<SideSpline>& sides,

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <numeric>
 #include <random>
+#include <stdexcept>
 
 #include "random_values.h"
 
@@ -105,6 +106,18 @@ TEST(NeighbourWeights, ArePositiveAndReproduceAPlane) {
         EXPECT_GT(weight, 0.0) << "seed " << kSeed << ", trial " << trial;
       }
       EXPECT_NEAR(std::accumulate(in_space.begin(), in_space.end(), 0.0), 1.0, 1e-14);
+    }
+  }
+}
+
+TEST(NeighbourWeights, WhereNoTriangleHasAreaThatIsTold) {
+  const TriangleDisc disc = star_with({{1.0, 0.0, 0.0}, {2.0, 0.0, 0.0}, {3.0, 0.0, 0.0}});
+  for (auto kind : {WeightKind::kShapePreserving, WeightKind::kMeanValue}) {
+    try {
+      neighbour_weights(disc, 0, kind);
+      ADD_FAILURE();
+    } catch (const std::invalid_argument& fault) {
+      EXPECT_STREQ(fault.what(), "The triangles around point 0 have no area: leave the point out.");
     }
   }
 }

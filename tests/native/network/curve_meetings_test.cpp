@@ -3,10 +3,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
+#include <numeric>
 #include <random>
 
+#include "network/crossings/near_zones.h"
 #include "network/curves/conics.h"
 #include "random_values.h"
 #include "trials.h"
@@ -216,6 +220,52 @@ TEST(CurveMeetings, OfCirclesAreThoseOfTheFormula) {
       const Vector3d expected(0.5 * apart, i == 0 ? -height : height, 0.0);
       EXPECT_LT((meetings.points[i].first_place - expected).norm(), 1e-14 / height);
     }
+  }
+}
+
+TEST(CoherentZones, AreThoseThatHangTogetherByAnyPair) {
+  std::mt19937 random(24);
+  const auto interval = [&] {
+    const double low = uniform(random, -1.0, 1.0);
+    return std::pair(low, low + 0.1 * uniform(random, 0.0, 1.0));
+  };
+  for (int trial = 0; trial < hull::testing::trials(50); ++trial) {
+    std::vector<NearZone> zones;
+    for (int i = 0; i < 60; ++i) {
+      const auto [a, b] = interval();
+      const auto [c, d] = interval();
+      zones.push_back({a, b, static_cast<double>(i), c, d, 0.0});
+    }
+    // By the number of each one's group: spread from neighbour to neighbour until nothing changes.
+    std::vector<int> group(zones.size());
+    std::iota(group.begin(), group.end(), 0);
+    for (bool is_changed = true; is_changed;) {
+      is_changed = false;
+      for (std::size_t i = 0; i < zones.size(); ++i) {
+        for (std::size_t k = 0; k < zones.size(); ++k) {
+          const NearZone &a = zones[i], &b = zones[k];
+          const bool touch = a.first_low <= b.first_high && b.first_low <= a.first_high &&
+                             a.second_low <= b.second_high && b.second_low <= a.second_high;
+          if (!touch || group[i] <= group[k]) continue;
+          group[i] = group[k];
+          is_changed = true;
+        }
+      }
+    }
+    std::map<int, std::vector<int>> expected;
+    for (std::size_t i = 0; i < zones.size(); ++i) {
+      expected[group[i]].push_back(static_cast<int>(i));
+    }
+    std::vector<std::vector<int>> found, all;
+    for (const auto& [first, members] : expected) all.push_back(members);
+    for (const auto& zones_of : coherent_zones(zones)) {
+      found.emplace_back();
+      for (const NearZone& zone : zones_of) {
+        found.back().push_back(static_cast<int>(zone.first_nearest));
+      }
+    }
+    std::ranges::sort(found);
+    EXPECT_EQ(found, all);
   }
 }
 

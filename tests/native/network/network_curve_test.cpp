@@ -171,7 +171,9 @@ TEST(NetworkCurve, APlaneIsKept) {
   EXPECT_LT((piece.points().col(2).array() - 2.0).abs().maxCoeff(), 1e-13);
   EXPECT_LT(std::abs(piece.evaluate(0.0, 1)(1, 1)), 1e-13);
   curve.points[4].z() += 0.01;
-  EXPECT_EQ(refusal({curve}), "Curve A: point 4 is 0.010 m off its plane.");
+  EXPECT_EQ(refusal({curve}), "Curve A: point 4 is 10 mm off its plane.");
+  curve.points[4].z() = 2.0011;
+  EXPECT_EQ(refusal({curve}), "Curve A: point 4 is 1.1 mm off its plane.");
   curve = wave("A");
   curve.plane = CarrierPlane{{0, 0, 0}, 4.0};
   EXPECT_EQ(refusal({curve}), "Curve A: its plane is none.");
@@ -218,6 +220,20 @@ TEST(NetworkCurve, WhatCannotBeIsNamed) {
   CurveDefinition far = wave("Keel");
   for (Vector3d& point : far.points) point.z() += 1.0;
   EXPECT_EQ(refusal({curve, far}), "Curve Stem: its start is 1.000 m from Keel, its master.");
+}
+
+TEST(NetworkCurve, AConicsDirectionsThatMissOneAnotherAreNamed) {
+  CurveDefinition conic = wave("Bow", 2);
+  conic.kind = CurveDefinition::Kind::kConic;
+  conic.points = {{0, 0, 0}, {1, 1, 0.4}};
+  conic.start = {Kind::kTangent, {1, 0, 0}, -1};
+  conic.end = {Kind::kTangent, {0, 1, 0}, -1};
+  EXPECT_EQ(refusal({conic}),
+            "Curve Bow: the lines along the directions at its ends miss one another by 400 mm: "
+            "give directions in one plane with both points.");
+  // As far as points may be apart that are one.
+  conic.points[1].z() = 0.9 * kTolerance;
+  EXPECT_EQ(refusal({conic}), "");
 }
 
 }  // namespace

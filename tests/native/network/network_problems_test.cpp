@@ -210,5 +210,61 @@ TEST(NetworkProblems, ACurveThatIsNoneIsNamed) {
   EXPECT_THROW(network_of(square(), -1.0), std::invalid_argument);
 }
 
+// Whichever of both has the node's place: one that another curve meets is the nearer one.
+TEST(NetworkProblems, KnucklesNearerThanTheToleranceLeaveTheCurveBesideThem) {
+  for (std::size_t met : {1u, 2u}) {
+    auto curves = square();
+    NetworkCurve bent;
+    bent.definition.name = "B";
+    bent.definition.points = {
+        {4, 0, 0}, {5, 5, 0}, {5 + 0.3 * kTol, 5 + 0.4 * kTol, 0}, {7, 7, 0}, {4, 10, 0}};
+    bent.definition.knuckles = {1, 2};
+    curves.push_back(bent);
+    curves.push_back(line_between("W", {0, 5, 0}, bent.definition.points[met]));
+    const CurveNetwork network = network_of(curves);
+    const JoinedCurves& joined = network.frame().joined;
+    const auto& pieces = network.shapes()[4].pieces;
+    std::vector<int> on;
+    for (std::size_t e = 0; e < joined.edges.size(); ++e) {
+      if (joined.edges[e].curve != 4) continue;
+      const auto piece = static_cast<std::size_t>(joined.edges[e].piece);
+      on.push_back(joined.edges[e].piece);
+      EXPECT_EQ(joined.edges[e].low, pieces[piece].begin()) << met;
+      EXPECT_EQ(joined.edges[e].high, pieces[piece].end()) << met;
+      const Vector3d middle = network.frame().shapes[e].evaluate(0.5, 0).row(0);
+      const double foot = pieces[piece].nearest_parameter(middle);
+      EXPECT_LT((pieces[piece].point(foot) - middle).norm(), kTol) << met;
+    }
+    EXPECT_EQ(on, (std::vector{0, 2})) << met;
+    EXPECT_EQ(network.regions().size(), 3u) << told(network);
+  }
+}
+
+TEST(NetworkProblems, AnOpenCurveMeetsItselfAlsoWithItsEnds) {
+  auto curves = square();
+  NetworkCurve bent;
+  bent.definition.name = "B";
+  bent.definition.points = {{0, 3, 0}, {8, 3, 0}, {8, 8, 0}, {4, 0, 0}};
+  bent.definition.knuckles = {1, 2};
+  curves.push_back(bent);
+  const CurveNetwork network = network_of(curves);
+  EXPECT_EQ(network.regions().size(), 3u) << told(network);
+  int there = 0;
+  for (const Vector3d& node : network.frame().joined.nodes) {
+    there += (node - Vector3d(5.5, 3, 0)).norm() < 1e-12 ? 1 : 0;
+  }
+  EXPECT_EQ(there, 1);
+  // One that is closed has its start and end for a node, and no other one.
+  bent.definition.points = {{2, 2, 0}, {8, 2, 0}, {8, 8, 0}, {2, 2, 0}};
+  EXPECT_EQ(network_of({bent}).frame().joined.nodes.size(), 3u);
+}
+
+TEST(NetworkProblems, LengthsAndPlacesAreToldAsOneReadsThem) {
+  EXPECT_EQ(length_text(0.0004), "0.4 mm");
+  EXPECT_EQ(length_text(0.9994), "999 mm");
+  EXPECT_EQ(length_text(0.99999), "1.000 m");
+  EXPECT_EQ(place_text({1.0, -1e-17, 2.5}), "(1.000, 0.000, 2.500) m");
+}
+
 }  // namespace
 }  // namespace hull::network

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <random>
 
 #include "network/model/curve_network.h"
@@ -128,6 +129,41 @@ TEST(RandomNetworks, OfAnyCurvesAreMadeOrNamed) {
   }
   EXPECT_GT(regions, testing::trials(300));
   EXPECT_GT(problems, testing::trials(300));
+}
+
+// A curve that leaves a line and comes back to it without an angle; directions are one but for
+// rounding.
+NetworkCurve tangent_arch(const Vector3d& from, const Vector3d& to, const Vector3d& rise) {
+  const Vector3d way = (to - from).normalized();
+  NetworkCurve arch;
+  arch.definition.name = "Arch";
+  arch.definition.points = {from, 0.5 * (from + to) + rise, to};
+  arch.definition.start = {EndCondition::Kind::kTangent, way, -1};
+  arch.definition.end = {EndCondition::Kind::kTangent, way, -1};
+  return arch;
+}
+
+TEST(RandomNetworks, ARegionWithoutAnAngleAtItsCornersIsNotBeyondTheBorder) {
+  std::mt19937 random(53);
+  for (int trial = 0; trial < hull::testing::trials(40); ++trial) {
+    const Vector3d right = hull::testing::random_vector(random).normalized();
+    const Vector3d up = right.cross(hull::testing::random_vector(random)).normalized();
+    const std::vector<NetworkCurve> curves{
+        line_between("L", 5.0 * up, 10.0 * right + 5.0 * up),
+        tangent_arch(5.0 * up, 10.0 * right + 5.0 * up, 2.0 * up)};
+    const CurveNetwork lens = network_of(curves);
+    ASSERT_EQ(lens.regions().size(), 1u) << told(lens);
+    const JoinedCurves& joined = lens.frame().joined;
+    const NodeOrder order = node_order(joined, lens.frame().shapes);
+    const bool is_arch_left = order.normals.front().dot(right.cross(up)) > 0.0;
+    for (const RegionEdge& side : lens.frame().faces.loops.front()) {
+      const bool is_line = joined.edges[static_cast<std::size_t>(side.edge)].curve == 0;
+      EXPECT_EQ(side.is_along, is_line == is_arch_left) << trial;
+    }
+    for (const std::vector<double>& angles : order.angles) {
+      EXPECT_NEAR(angles[0] + angles[1], 2.0 * std::numbers::pi, 1e-12);
+    }
+  }
 }
 
 }  // namespace

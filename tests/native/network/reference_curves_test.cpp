@@ -183,5 +183,79 @@ TEST(ReferenceCurves, ThePapersWayWithoutTwistErrs) {
   EXPECT_LT(paper_error(1.0), 1e-14);
 }
 
+// Three that meet within, and two end to end, in curves of their own or at a knuckle of one.
+TEST(ReferenceCurves, ThatEndWithinHaveTheirPlacesThere) {
+  const auto surface = [](double u, double v) { return torus(0.5 * u, 0.5 * v); };
+  const auto on = [&](const Vector2d& from, const Vector2d& to) {
+    NetworkCurve curve = hull::testing::curve_along("R", [&](double t) {
+      const Vector2d at = (1.0 - t) * from + t * to;
+      return surface(at.x(), at.y());
+    });
+    curve.role = NetworkCurve::Role::kReference;
+    return curve;
+  };
+  NetworkCurve bent = on({0.5, 0.0}, {0.5, 1.0});
+  bent.definition.knuckles = {4};
+  const std::vector<std::vector<NetworkCurve>> inner{
+      {on({0.5, 0.0}, {0.5, 0.5}), on({0.5, 0.5}, {0.5, 1.0})},
+      {bent},
+      {on({0.5, 0.0}, {0.5, 0.5}), on({0.5, 0.5}, {0.0, 0.5}), on({0.5, 0.5}, {1.0, 1.0})}};
+  for (const auto& references : inner) {
+    auto curves = net_on(surface, 1, 1, 7);
+    curves.insert(curves.end(), references.begin(), references.end());
+    const CurveNetwork network = network_of(curves);
+    // To the network's tolerance, else it is told.
+    const NetworkPatches made = patches_of(network, 4, 1e-3);
+    EXPECT_EQ(made.set.patches.size(), 1u);
+    std::cout << "off by " << made.largest_curve_error() << " m\n";
+  }
+}
+
+// A sheer that is the border aft, and forward goes on as a knuckle below a bulwark, or the other
+// way round: the same side of one region.
+TEST(ReferenceCurves, AreFreeAlongTheBordersPartOfASideAlone) {
+  const auto surface = [](double u, double v) { return torus(0.5 * u, 0.5 * v); };
+  for (bool is_forward : {false, true}) {
+    auto curves = net_on(surface, 1, 1, 7);
+    NetworkCurve middle =
+        hull::testing::curve_along("M", [&](double t) { return surface(0.5, t); });
+    middle.role = NetworkCurve::Role::kReference;
+    curves.push_back(middle);
+    // V1 is the side; what goes on beyond half of it.
+    const double low = is_forward ? 0.5 : 0.0;
+    const auto beyond = [&](double u, double v) { return surface(low + 0.5 * u, 1.0 + 0.4 * v); };
+    for (double u : {0.0, 1.0}) {
+      curves.push_back(hull::testing::curve_along("B" + std::to_string(u),
+                                                  [&](double t) { return beyond(u, t); }));
+    }
+    curves.push_back(hull::testing::curve_along("T", [&](double t) { return beyond(t, 1.0); }));
+    const CurveNetwork network = network_of(curves);
+    EXPECT_EQ(network.regions().size(), 3u) << told(network);
+    const NetworkPatches made = patches_of(network, 4, 1e-6);
+    EXPECT_EQ(made.set.patches.size(), 2u);
+    const auto angles = seam_angles(network, made, 4);
+    std::cout << "seam " << angles.anywhere << " deg\n";
+    EXPECT_LT(angles.anywhere, 0.05);
+  }
+}
+
+// What a spline along it would be off is no matter: the patch is plane, as the curve is.
+TEST(ReferenceCurves, AreNotToldOfForTheirOwnSplines) {
+  auto curves = hull::testing::square();
+  NetworkCurve sharp;
+  sharp.definition.name = "R";
+  sharp.definition.kind = CurveDefinition::Kind::kConic;
+  sharp.definition.points = {{0, 4, 0}, {10, 4, 0}};
+  sharp.definition.start = {EndCondition::Kind::kTangent, {1, 0.5, 0}, -1};
+  sharp.definition.end = {EndCondition::Kind::kTangent, {1, -0.5, 0}, -1};
+  sharp.definition.fullness = 1000.0;
+  curves.push_back(sharp);
+  const auto problems = [&] { return network_patches(network_of(curves), {4, 1e-9}).problems; };
+  ASSERT_EQ(problems().size(), 1u);
+  EXPECT_EQ(problems().front().kind, NetworkProblem::Kind::kMissedCurve);
+  curves.back().role = NetworkCurve::Role::kReference;
+  EXPECT_TRUE(problems().empty());
+}
+
 }  // namespace
 }  // namespace hull::network
