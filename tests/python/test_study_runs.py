@@ -9,7 +9,7 @@ import signal
 import subprocess
 import sys
 import time
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 import pytest
@@ -169,6 +169,23 @@ def test_a_changed_study_beside_an_old_journal_is_refused(study, hulls, tmp_path
     with pytest.raises(ValueError, match=r"rows are of another study \(sampling differ\)"):
         run_study(study, path, Serial(), hulls=hulls)
     assert path.read_bytes() == data
+
+
+@pytest.mark.parametrize("engine", [Serial(), Processes(1)], ids=["serial", "processes"])
+def test_other_hulls_have_rows_of_their_own(engine, hulls, tmp_path):
+    few = study_from(described(2, SEED), ROOT / "samples")
+    wider = replace(hulls, parents=hulls.parents * [1.0, 1.001, 1.0])
+    first = csv_bytes(run_study(few, engine=engine, hulls=hulls))
+    second = csv_bytes(run_study(few, engine=engine, hulls=wider))
+    assert second != first
+    assert csv_bytes(run_study(few, engine=engine, hulls=hulls)) == first
+    path = tmp_path / "study.jsonl"
+    run_study(few, path, engine, hulls=hulls)
+    data = path.read_bytes()
+    with pytest.raises(ValueError, match=r"rows are of another study \(arrays of hulls differ\)"):
+        run_study(few, path, engine, hulls=wider)
+    assert path.read_bytes() == data
+    run_study(few, path, engine, hulls=replace(hulls))
 
 
 def test_progress_is_told_and_ends_a_run(study, hulls, expected, tmp_path):
