@@ -112,7 +112,7 @@ def _of_grid(grid, size):
             face = [index[k, b], index[k, b + 1], index[k + 1, b + 1], index[k + 1, b]]
             distinct = list(dict.fromkeys(face))
             if len(distinct) >= 3:
-                faces.append(distinct)
+                faces.append(distinct[::-1])  # outwards
     used, number = np.unique(np.concatenate(faces), return_inverse=True)
     ends = np.cumsum([len(face) for face in faces])[:-1]
     numbered = [face.tolist() for face in np.split(number, ends)]
