@@ -307,3 +307,27 @@ def test_a_study_in_a_file_is_run_from_the_command_line(tmp_path, capsys):
     with pytest.raises(SystemExit):
         main(list(map(str, words)))
     assert "study.json: hulls: NoneType is no list" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    "words, said",
+    [
+        (["--table", "none/table.csv"], "none/table.csv: there is no folder"),
+        (["--front", "none/front.svg"], "none/front.svg: there is no folder"),
+        (["--parquet", "none/table.parquet"], "none/table.parquet: there is no folder"),
+        (["--table", "."], "it is a folder; give a file name"),
+        (["--front", "front.jpg"], "front.jpg: the name of a picture ends in .svg, .pdf or .png"),
+        (["--front", "front.svg", "--x", "volume"], "The table has no numbers 'volume'"),
+        (["--front", "front.svg", "--y", "reason"], "The table has no numbers 'reason'"),
+    ],
+)
+def test_what_can_t_be_written_is_told_before_the_run(words, said, tmp_path, monkeypatch, capsys):
+    description = described(6, SEED)
+    description["hulls"][0] = str(ROOT / "samples" / "coaster.hull.json")
+    (tmp_path / "study.json").write_text(json.dumps(description))
+    monkeypatch.chdir(tmp_path)
+    with pytest.raises(SystemExit):
+        main(["study.json", "--engine", "serial", "--table", "table.csv", *words, "--journal", "j"])
+    told = capsys.readouterr().err
+    assert said in told and "of 6 variants" not in told
+    assert not (tmp_path / "j").exists() and not (tmp_path / "table.csv").exists()
