@@ -181,8 +181,14 @@ def _opened(path):
             raise _error(path, "it is larger than any journal", "choose another file")
         try:
             fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
-        except OSError as error:
+        except BlockingIOError as error:
             raise _error(path, "another run has it open", "wait for its end, or stop it") from error
+        except OSError as error:
+            raise _error(
+                path,
+                f"it can't be kept for this run alone ({error.strerror})",
+                "take a file on a disk of this machine",
+            ) from error
     except BaseException:
         file.close()
         raise
