@@ -66,3 +66,5 @@ CAD_SECONDS_PER_MB = 3.0
 
 # t/m3, where nobody gives another: hull_native.SEA_WATER_DENSITY, which files are written without.
 SEA_WATER_DENSITY = 1.025
+# m/s2, the standard one: hull_native.GRAVITY.
+GRAVITY = 9.80665

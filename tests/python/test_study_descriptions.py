@@ -88,7 +88,7 @@ def _with_field(**changed):
         ({"changes": [{"change": "sections"}]}, "nothing is wanted"),
         ({"changes": [_with_field(base="sphere")]}, 'base: "sphere" is unknown'),
         ({"changes": [_with_field(point=[1, 2])]}, "2 entries, not 3"),
-        ({"changes": [_with_field(axes="$a")]}, 'axes: "\\$a" names no axes; write letters of x, y'),
+        ({"changes": [_with_field(axes="$a")]}, 'axes: "\\$a" names no axes; write letters of x'),
         ({"changes": [_with_field(cells=[1])]}, 'the key "cells" is unknown'),
         ({"changes": [{"change": "targets", "targets": []}]}, "it has none"),
         ({"changes": [{"change": "targets", "targets": [{**TARGET, "number": "x"}]}]}, "unknown"),
