@@ -3,8 +3,8 @@
 
 import errno
 import os
+import secrets
 import stat
-import tempfile
 from pathlib import Path
 
 from .errors import HullFileError
@@ -95,20 +95,24 @@ def _check_name(path):
 def _write_beside(path, target, data, temporary):
     """Writes data into a file beside its target, which temporary[path] names as soon as it is
     there."""
+    mode = _mode_of(target)
     # Of its own length: the final name may be as long as names can be.
-    handle, temporary[path] = tempfile.mkstemp(prefix=".hull-", dir=target.parent)
+    name = target.parent / f".hull-{secrets.token_hex(8)}"
+    flags = os.O_WRONLY | os.O_CREAT | os.O_EXCL
+    # A new file gets what is usual for this user; one that is replaced may be secret.
+    handle = os.open(name, flags, 0o666 if mode is None else 0o600)
+    temporary[path] = name
     with os.fdopen(handle, "wb") as file:
         file.write(data)
         file.flush()
         os.fsync(file.fileno())
-    os.chmod(temporary[path], _usual_mode(target))
+    if mode is not None:
+        os.chmod(name, mode)
 
 
-def _usual_mode(path):
-    """The mode of the file being replaced, else what a new file of this user gets."""
+def _mode_of(path):
+    """The mode of the file being replaced, None where there is none."""
     try:
         return stat.S_IMODE(os.stat(path).st_mode)
     except FileNotFoundError:
-        mask = os.umask(0)
-        os.umask(mask)
-        return 0o666 & ~mask
+        return None

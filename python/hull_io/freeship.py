@@ -14,6 +14,7 @@ from .cursors import BinaryCursor, TextCursor
 from .errors import HullFileError
 from .freeship_meaning import hull_from_model
 from .freeship_model import Model, StoredLayer
+from .freeship_units import FOOT
 from .limits import FURTHEST_POINT, MAX_CURVE_POINTS, MAX_FACE_CORNERS
 
 SIGNATURE = b"FREE!ship"
@@ -60,7 +61,7 @@ def read_stored_sections(data, file_name):
     """The stations, buttocks, waterlines and diagonals stored in a FREE!ship file, as a list."""
     cursor, version = _open(data, file_name)
     model = _read_model(cursor, version)
-    scale = 0.3048 if model.imperial else 1.0
+    scale = FOOT if model.imperial else 1.0
     families = ["stations", "buttocks", "waterlines"] + ["diagonals"] * (version >= 180)
     return [section for family in families for section in _sections(cursor, version, family, scale)]
 

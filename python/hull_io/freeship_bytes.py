@@ -3,7 +3,7 @@
 
 import struct
 
-CODE_PAGE = "cp1251"
+from .cursors import CODE_PAGE
 
 
 class FreeshipBytes:

@@ -3,6 +3,8 @@
 
 import numpy as np
 
+from .errors import HullFileError
+from .limits import MAX_LISTED
 from .number_lists import numbers
 
 
@@ -32,6 +34,10 @@ def line_positions(data):
 def _spaced(low, high, spacing):
     if not spacing > 0.0:
         return []
+    if high - low > MAX_LISTED * spacing:
+        raise HullFileError(
+            f"Lines {spacing:g} m apart are more than {MAX_LISTED}: take a larger spacing."
+        )
     return spacing * np.arange(np.ceil(low / spacing), np.floor(high / spacing) + 1.0)
 
 

@@ -11,6 +11,7 @@ from pathlib import Path
 import numpy as np
 
 from .bytes_on_disk import write_bytes
+from .cleanup import creases_of_faces
 from .errors import HullFileError
 from .freeship import SIGNATURE, VERSIONS
 from .freeship_bytes import FreeshipBytes
@@ -96,7 +97,8 @@ def _lowest(data):
     shell = [data.faces[index] for index in shell_face_indices(data)] or data.faces
     single = data.points.astype(np.float32).astype(np.float64)
     corners = [point for point, kind in enumerate(point_kinds(data)) if kind == 3]
-    found = subdivided(single, shell, data.creases, corners, PRECISION + 1)
+    edges = creases_of_faces(data.creases, shell)
+    found = subdivided(single, shell, edges, corners, PRECISION + 1)
     return float(found[:, 2].min())
 
 

@@ -87,7 +87,8 @@ def _check_header(check, content):
 
 
 def write_hull_file(data, path):
-    """Write a HullData as a hull file, whole or not at all; reading it gives an equal HullData.
+    """Write a HullData as a hull file, whole or not at all; reading it gives an equal HullData, one
+    without a name with that of the file.
 
     Coordinates keep every digit. `units` and `notes` are not kept: they belong to the file that the
     hull was imported from. What could not be read again is not written. Raises HullFileError.

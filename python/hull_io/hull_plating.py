@@ -33,7 +33,7 @@ def parsed(check, content):
     value = {**_DEFAULTS, **given}
     rules = check.list(value["rules"], f"{KEY}.rules", most=MOST_RULES)
     ranges = check.list(value["ranges"], f"{KEY}.ranges", most=MOST_RANGES)
-    return Plating(
+    plating = Plating(
         [_rule(check, one, f"{KEY}.rules[{place}]") for place, one in enumerate(rules)],
         check.flag(value["along_knuckles"], f"{KEY}.along_knuckles"),
         check.flag(value["across_centre"], f"{KEY}.across_centre"),
@@ -45,6 +45,10 @@ def parsed(check, content):
         check.flag(value["mark_waterlines"], f"{KEY}.mark_waterlines"),
         check.flag(value["mark_buttocks"], f"{KEY}.mark_buttocks"),
     )
+    if fault := plating.fault_of_frames():
+        where, *told = fault
+        raise check.error(f"{KEY}.{where}", *told)
+    return plating
 
 
 def _rule(check, value, where):

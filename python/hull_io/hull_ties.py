@@ -39,22 +39,34 @@ def _ties(check, value, point_count):
         if tie.point in found:
             raise check.error(f"ties[{place}].point", "it follows others already", "tie it once")
         found[tie.point] = tie
-    for place, point in enumerate(found):
-        if _follows_itself(point, found):
-            raise check.error(f"ties[{place}]", "its point would follow itself", "take it out")
+    round_in = circle(found)
+    if round_in:
+        place = next(place for place, point in enumerate(found) if point in round_in)
+        raise check.error(f"ties[{place}]", "its point would follow itself", "take it out")
     return list(found.values())
 
 
-def _follows_itself(point, ties):
-    left, seen = list(ties[point].to), set()
-    while left:
-        leader = left.pop()
-        if leader == point:
-            return True
-        if leader in ties and leader not in seen:
-            seen.add(leader)
-            left.extend(ties[leader].to)
-    return False
+def circle(ties):
+    """Points that follow one another in a circle, of {point: its Tie}; none where there is none."""
+    clear = set()
+    for start in ties:
+        if start in clear:
+            continue
+        path, ways = {start}, [(start, iter(ties[start].to))]
+        while ways:
+            point, leaders = ways[-1]
+            leader = next((one for one in leaders if one in ties and one not in clear), None)
+            if leader is None:
+                ways.pop()
+                path.remove(point)
+                clear.add(point)
+            elif leader in path:
+                way = [each for each, _ in ways]
+                return set(way[way.index(leader) :])
+            else:
+                path.add(leader)
+                ways.append((leader, iter(ties[leader].to)))
+    return set()
 
 
 def _tie(check, value, where, point_count):

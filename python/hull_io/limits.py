@@ -31,6 +31,7 @@ MAX_LOADING_ENTRIES = 200
 # Planes to cut a hull by, and spaces between stations.
 MAX_CUT_PLANES = 1000
 MAX_LINE_SPACES = 200
+MAX_LISTED = 1000  # positions in a list, a range or by a spacing: more are a slip of the keyboard
 # Of a hull: numbers that are wanted of it (a sectional area curve takes 21), their size in their
 # own unit, what bending costs, how far dimensions may go, in percent; hulls kept beside it.
 MAX_TARGETS = 60
@@ -65,3 +66,5 @@ CAD_SECONDS_PER_MB = 3.0
 
 # t/m3, where nobody gives another: hull_native.SEA_WATER_DENSITY, which files are written without.
 SEA_WATER_DENSITY = 1.025
+# m/s2, the standard one: hull_native.GRAVITY.
+GRAVITY = 9.80665

@@ -107,5 +107,6 @@ def turn_faces(data):
         for index, face in zip(indices, turned):
             data.faces[index] = face
         count += turned_count
-    if 0 < count < len(data.faces):
-        data.notes.append(f"{count} of {len(data.faces)} faces were turned to face outwards.")
+    if count:
+        which = "All" if count == len(data.faces) else f"{count} of"
+        data.notes.append(f"{which} {len(data.faces)} faces were turned to face outwards.")

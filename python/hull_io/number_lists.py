@@ -3,8 +3,7 @@
 
 from math import isfinite, radians
 
-# A range that has more numbers is a slip of the keyboard.
-_LONGEST = 1000
+from .limits import MAX_LISTED
 
 
 def numbers(text, name):
@@ -23,6 +22,8 @@ def numbers(text, name):
                 f'{name}: "{word}" should be numbers with blanks between, or first:last:step'
             )
         found += parts if len(parts) == 1 else _range(*parts, word, name)
+        if len(found) > MAX_LISTED:
+            raise ValueError(f"{name}: there are more than {MAX_LISTED} numbers: list fewer")
     return tuple(found)
 
 
@@ -45,8 +46,8 @@ def _range(first, last, step, word, name):
     if not step > 0.0 or not first <= last:
         raise ValueError(f'{name}: "{word}" should rise, as 1:9:2 does')
     steps = (last - first) / step * (1.0 + 1e-9)
-    if not steps < _LONGEST:
-        raise ValueError(f'{name}: "{word}" has more than {_LONGEST} numbers: widen the step')
+    if not steps < MAX_LISTED:
+        raise ValueError(f'{name}: "{word}" has more than {MAX_LISTED} numbers: widen the step')
     return [first + k * step for k in range(int(steps) + 1)]
 
 

@@ -12,9 +12,9 @@ import numpy as np
 
 from .bytes_on_disk import write_bytes
 from .face_arrays import checked_faces, lines_of
+from .limits import GRAVITY
 from .real_points import real_points
 
-GRAVITY = 9.80665
 # WAMIT's own (manual, 6.1): a header's letters, the least ULEN, and, of ULEN and its square, what
 # are one point and no area.
 _LONGEST_HEADER = 72

@@ -5,6 +5,8 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from .errors import HullFileError
+
 # What seams and butts are made by; see hull_native.SeamRule.
 SEAM_KINDS = (
     "strakes",
@@ -55,12 +57,34 @@ class Plating:
     mark_waterlines: bool = False
     mark_buttocks: bool = False
 
+    def fault_of_frames(self):
+        """(where, what is wrong, remedy) of ranges that do not rise or leave out frame 0; None
+        where there is no such fault, or no range."""
+        lasts = [self.first_frame, *(each.last for each in self.ranges)]
+        for place, (first, last) in enumerate(zip(lasts, lasts[1:])):
+            if last <= first:
+                problem = f"frame {last} is not beyond frame {first}, where the range begins"
+                return f"ranges[{place}].last", problem, "let frames rise"
+        if self.ranges and not lasts[0] <= 0 <= lasts[-1]:
+            problem = f"frames {lasts[0]} to {lasts[-1]} leave out frame 0"
+            return "ranges", problem, "let them contain it, since places are counted from there"
+        return None
+
     def frame_places(self, numbers, length):
         """(n,) x of frames (n,) by the ranges, m, of numbers between two of them in proportion;
-        length: between perpendiculars, m. Numbers beyond the ranges are NaN."""
+        length: between perpendiculars, m. HullFileError for numbers beyond the ranges, and for a
+        fault of these."""
+        if fault := self.fault_of_frames():
+            raise HullFileError("plating.{}: {}; {}.".format(*fault))
         lasts = [self.first_frame, *(each.last for each in self.ranges)]
+        for number in numbers:
+            if not lasts[0] <= number <= lasts[-1]:
+                raise HullFileError(
+                    f"Frame {number:g} is beyond the ranges, which have {lasts[0]} to {lasts[-1]}: "
+                    "add a range."
+                )
         along = np.cumsum(
             [0.0, *(each.spacing * n for each, n in zip(self.ranges, np.diff(lasts)))]
         )
-        along = np.interp(numbers, lasts, along, np.nan, np.nan) - np.interp(0, lasts, along)
+        along = np.interp(numbers, lasts, along) - np.interp(0, lasts, along)
         return along if self.numbered_from == "AP" else length - along

@@ -20,12 +20,12 @@ FOLLOWING = {
     "points": "point",
     "particulars.length_pp": "x",
     "particulars.beam": "y",
-    "particulars.draft": "at z",
-    "particulars.depth": "at z",
+    "particulars.draft": "at z, or 0",
+    "particulars.depth": "at z, or 0",
     "flats.normal": "plane",
     "afloat.trim_m": "z",
     "load.mass_t": "volume",
-    "load.kg": "at z",
+    "load.kg": "at z, or 0",
     "load.lcg": "at x",
     "load_cases.mass_t": "volume",
     "load_cases.lcg": "at x",
@@ -40,12 +40,12 @@ FOLLOWING = {
     "resistance.planing_lcg": "x",
     "resistance.holtrop.length": "x",
     "resistance.holtrop.beam": "y",
-    "resistance.holtrop.draft_forward": "at z",
-    "resistance.holtrop.draft_aft": "at z",
+    "resistance.holtrop.draft_forward": "at z, or 0",
+    "resistance.holtrop.draft_aft": "at z, or 0",
     "resistance.holtrop.displaced_volume": "volume",
     "resistance.holtrop.wetted_surface": "surface",
     "resistance.holtrop.bulb_area": "section",
-    "resistance.holtrop.bulb_height": "at z",
+    "resistance.holtrop.bulb_height": "at z, or 0",
     "resistance.holtrop.transom_area": "section",
     "resistance.delft.length": "x",
     "resistance.delft.beam": "y",
@@ -145,7 +145,8 @@ STAYING = frozenset(
 _SEAMS = {"station": 0, "buttock": 1, "waterline": 2}
 
 # By the names that FOLLOWING has: (Scale, what holds the value, the value) → the new value. What is
-# counted from the mesh's zero is "at" a place, and is shifted too.
+# counted from the mesh's zero is "at" a place, and is shifted too, but for a 0 that stands for what
+# is not given.
 CHANGES = {
     "point": lambda scale, holder, value: _like(value, scale.points(value)),
     "points": lambda scale, holder, value: [_like(one, scale.points(one)) for one in value],
@@ -157,6 +158,7 @@ CHANGES = {
     "at x": lambda scale, holder, value: scale.place(0, value),
     "at y": lambda scale, holder, value: scale.place(1, value),
     "at z": lambda scale, holder, value: scale.place(2, value),
+    "at z, or 0": lambda scale, holder, value: scale.place(2, value) if value else value,
     "volume": lambda scale, holder, value: scale.volume(value),
     "profile": lambda scale, holder, value: scale.profile(value),
     "section": lambda scale, holder, value: scale.section(value),

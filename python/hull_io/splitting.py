@@ -16,6 +16,9 @@ import numpy as np
 
 from .hull_data import edge_key, face_edges
 
+# Faces at an edge of which two may go on: pairs of them are all compared. Hulls have three or four.
+_MOST_COMPARED = 32
+
 
 @dataclass(frozen=True, eq=False)
 class Split:
@@ -120,7 +123,8 @@ def _joins(points, faces, layers, users):
 
 def _best_pairs(points, faces, groups, edge, at_edge):
     """The pair that is most alike by its groups, then least bent, and of the rest those that are
-    bent by less than 90°."""
+    bent by less than 90°; of more faces than any hull has at an edge, among the first ones."""
+    at_edge = at_edge[:_MOST_COMPARED]
     ways = {index: _way(points, faces[index], edge) for index in at_edge}
 
     def bend(pair):
@@ -129,11 +133,11 @@ def _best_pairs(points, faces, groups, edge, at_edge):
     def unlike(pair):
         return *(a != b for a, b in zip(groups[pair[0]], groups[pair[1]])), bend(pair)
 
-    pairs, left = [], list(at_edge)
+    pairs, left = [], set(at_edge)
     for pair in sorted(combinations(at_edge, 2), key=unlike):
-        if set(pair) <= set(left) and (not pairs or bend(pair) < 0.0):
+        if left.issuperset(pair) and (not pairs or bend(pair) < 0.0):
             pairs.append(pair)
-            left = [index for index in left if index not in pair]
+            left.difference_update(pair)
     return pairs
 
 

@@ -11,12 +11,12 @@ They are taken in the order given. Numbers may be variables of the study: "$name
 """
 
 import hull_native as hn
+from hull_io.wanted import SENSES
 
 from .fields import BLENDS, checked_fields
 from .values import number, numbers
 
 PARTS = ("whole", "apart", "fore", "aft", "fair")
-SENSES = ("equal", "at least", "at most")
 MOVES = ("points", "weights")
 MOST_CHANGES, MOST_TARGETS = 20, 60
 

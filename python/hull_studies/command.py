@@ -7,14 +7,17 @@ import time
 from pathlib import Path
 
 import hull_native as hn
+from hull_io.bytes_on_disk import target_of
 
 from .engines import Dask, Processes, Serial
+from .evaluation import task_of
 from .fronts import SENSES, front_plot
 from .hull_set import hull_set
 from .runs import run_study
 from .study import read_study
-from .tables import write_csv, write_parquet
+from .tables import Table, write_csv, write_parquet
 
+_PICTURES = (".svg", ".pdf", ".png")
 ENGINES = ("processes", "dask", "serial")
 
 
@@ -46,7 +49,12 @@ def engine_of(arguments):
 def carry_out(study, arguments, **plot):
     """Runs a Study as the arguments say, and writes what they name. plot: for front_plot."""
     begun = time.monotonic()
+    _check_files(arguments)
     hulls = hull_set(study)
+    if arguments.front:
+        empty = Table(study, task_of(study, hulls).columns, [])
+        for name in (arguments.x, arguments.y):
+            empty.column(name)
     tell = None if arguments.quiet else _tell
     table = run_study(study, arguments.journal, engine_of(arguments), hulls=hulls, progress=tell)
     write_csv(table, arguments.table)
@@ -60,6 +68,16 @@ def carry_out(study, arguments, **plot):
         told = ", ".join(f"{count} {status}" for status, count in table.counts().items())
         print(f"\n{told}; {time.monotonic() - begun:.1f} s in all", file=sys.stderr)
     return table
+
+
+def _check_files(arguments):
+    """What can be told of files before the study is run, whose rows would be lost else."""
+    for path in filter(None, (arguments.table, arguments.parquet, arguments.front)):
+        folder = target_of(path).parent
+        if not folder.is_dir():
+            raise ValueError(f"{path}: there is no folder {folder}; make it first.")
+    if arguments.front and arguments.front.suffix.lower() not in _PICTURES:
+        raise ValueError(f"{arguments.front}: the name of a picture ends in .svg, .pdf or .png.")
 
 
 def _tell(progress):

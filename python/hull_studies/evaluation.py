@@ -33,10 +33,10 @@ class Row:
 
 @dataclass(frozen=True, eq=False)
 class Task:
-    """What a worker needs to make rows: plain data and arrays. digest: of the Study; variables:
-    their names; changes, water, numbers: as the Study has them."""
+    """What a worker needs to make rows: plain data and arrays. digest: of the Study, and of the
+    HullSet; variables: their names; changes, water, numbers: as the Study has them."""
 
-    digest: str
+    digest: tuple
     variables: tuple
     changes: list
     water: dict
@@ -52,9 +52,8 @@ class Task:
 
 def task_of(study, hulls):
     """The Task of a Study and its HullSet."""
-    return Task(
-        study.digest, tuple(study.variables), study.changes, study.water, study.numbers, hulls
-    )
+    digest = (study.digest, hulls.digest)
+    return Task(digest, tuple(study.variables), study.changes, study.water, study.numbers, hulls)
 
 
 class Evaluator:

@@ -3,6 +3,7 @@
 
 import hull_native as hn
 import numpy as np
+from hull_io.checked_json import shown
 
 from .values import number, numbers
 
@@ -40,9 +41,15 @@ def _checked(check, value, where, variables):
         "shift": numbers(check, value.get("shift", [0, 0, 0]), f"{where}.shift", variables, 3),
         "extent": number(check, value.get("extent"), f"{where}.extent", variables),
         "falloff": number(check, value.get("falloff", 0.5), f"{where}.falloff", variables),
-        "axes": check.text(value.get("axes", "xyz"), f"{where}.axes"),
+        "axes": _axes(check, value.get("axes", "xyz"), f"{where}.axes"),
     }
     return {**found, **_CHECKED_BASES[base](check, value, where, variables)}
+
+
+def _axes(check, value, where):
+    if set(check.text(value, where)) - set("xyz"):
+        raise check.error(where, f"{shown(value)} names no axes", "write letters of x, y and z")
+    return value
 
 
 def _point(check, value, where, variables):

@@ -5,7 +5,9 @@ Hulls of other layouts get the first one's (hull_native.common_layout); that is 
 not by each worker.
 """
 
-from dataclasses import dataclass, replace
+import hashlib
+from dataclasses import dataclass, fields, replace
+from functools import cached_property
 
 import hull_io
 import hull_native as hn
@@ -35,6 +37,18 @@ class HullSet:
     held_points: np.ndarray
     held_normals: np.ndarray
     flats_across: list
+
+    @cached_property
+    def digest(self):
+        """Of all of it: what has the same one gives the same rows."""
+        digest = hashlib.sha256()
+        for one in fields(self):
+            held = getattr(self, one.name)
+            for part in held if isinstance(held, list) else [held]:
+                array = np.ascontiguousarray(part)
+                told = f"{one.name} {array.dtype.str} {array.shape} "
+                digest.update(told.encode() + array.tobytes())
+        return digest.hexdigest()
 
 
 def hull_set(study, progress=None):

@@ -38,16 +38,23 @@ def variant_key(digest, values):
 @dataclass(frozen=True)
 class Expected:
     """What a journal may hold: study, the Study; keys, of all of its variants; columns, the names
-    of a row's numbers."""
+    of a row's numbers; hulls: digest of the HullSet that they are made of."""
 
     study: object
     keys: frozenset
     columns: tuple
+    hulls: str = ""
+
+    @property
+    def parts(self):
+        """{part: its digest}. Arrays are a part beside the files: who runs a study may have others
+        than are read from these."""
+        return {**self.study.parts, "arrays of hulls": self.hulls}
 
     @property
     def header(self):
         told = {"journal": FORMAT, "version": VERSION, "study": self.study.digest}
-        return _line({**told, "parts": self.study.parts, "name": self.study.name})
+        return _line({**told, "parts": self.parts, "name": self.study.name})
 
 
 class Journal:
@@ -136,7 +143,7 @@ class Journal:
         if told.get("version") != VERSION:
             return _error(self.path, "it is of another version", remedy)
         parts = told.get("parts")
-        own = self._expected.study.parts
+        own = self._expected.parts
         other = parts if isinstance(parts, dict) else {}
         changed = [key for key in own if other.get(key) != own[key]]
         what = f"{', '.join(changed)} differ" if changed else "its digest differs"
@@ -174,8 +181,14 @@ def _opened(path):
             raise _error(path, "it is larger than any journal", "choose another file")
         try:
             fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
-        except OSError as error:
+        except BlockingIOError as error:
             raise _error(path, "another run has it open", "wait for its end, or stop it") from error
+        except OSError as error:
+            raise _error(
+                path,
+                f"it can't be kept for this run alone ({error.strerror})",
+                "take a file on a disk of this machine",
+            ) from error
     except BaseException:
         file.close()
         raise

@@ -46,7 +46,7 @@ def run_study(study, journal=None, engine=None, *, hulls=None, progress=None):
     task = task_of(study, hulls or hull_set(study))
     keys = [variant_key(study.digest, values) for values in study.variants]
     wanted = dict(zip(keys, study.variants))
-    expected = Expected(study, frozenset(wanted), tuple(task.columns))
+    expected = Expected(study, frozenset(wanted), tuple(task.columns), task.hulls.digest)
     with Journal(journal, expected) if journal is not None else nullcontext() as kept:
         rows = dict(kept.rows) if kept else {}
         left = {key: values for key, values in wanted.items() if key not in rows}

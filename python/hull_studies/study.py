@@ -111,6 +111,7 @@ def study_from(description, folder=".", name="the study"):
         raise check.error(
             f"variables.{min(unused)}", "nothing varies with it", "use it in a change, or drop it"
         )
+    _check_draft(check, checked)
     parts = {key: _digest(held) for key, held in {**checked, "hulls": contents}.items()}
     return Study(hulls=hulls, digest=_digest([VERSION, parts]), parts=parts, **checked)
 
@@ -176,6 +177,17 @@ def _checked_water(check, value, variables):
         key: None if value.get(key) is None else values.number(check, value[key], where, variables)
         for key, where in ((key, f"water.{key}") for key in ("draft", "trim", "water_density"))
     } | {"openings": check.choice(value.get("openings", "closed"), "water.openings", _OPENINGS)}
+
+
+def _check_draft(check, study):
+    """Targets scale the water with the hull, which a draft of the study's own does not follow."""
+    for k, change in enumerate(study["changes"]):
+        if study["water"]["draft"] is not None and change.get("draft_scale", [1, 1]) != [1, 1]:
+            raise check.error(
+                f"changes[{k}].draft_scale",
+                "it would scale the water, whose draft the study fixes",
+                "take it out, or water.draft",
+            )
 
 
 def _checked_numbers(check, value):

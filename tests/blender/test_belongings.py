@@ -15,8 +15,8 @@ DRAFT = 5.5
 # How numbers grow that are told by a word, see hull_io.scaling.
 X, Y, Z = GROWN
 FACTORS = {
-    "x": X, "at x": X, "y": Y, "at y": Y, "z": Z, "at z": Z, "volume": X * Y * Z,
-    "profile": X * Z, "section": Y * Z, "point": GROWN, "vector": GROWN,
+    "x": X, "at x": X, "y": Y, "at y": Y, "z": Z, "at z": Z, "at z, or 0": Z,
+    "volume": X * Y * Z, "profile": X * Z, "section": Y * Z, "point": GROWN, "vector": GROWN,
 }  # fmt: skip
 # Texts of places, and where they are then.
 TEXTS = {

@@ -231,7 +231,19 @@ def test_places_of_frames():
         assert table.places(table.numbers) == pytest.approx(table.positions, abs=1e-12)
     with pytest.raises(ValueError, match="Frame 131 is beyond the table, which has −5 to 130"):
         table.places([131])
-    assert np.isnan(plating.frame_places([131], 84.0)).all()
+    with pytest.raises(ValueError, match="Frame 131 is beyond the ranges, which have -5 to 130"):
+        plating.frame_places([131], 84.0)
+    for first, lasts, said in (
+        (10, (80,), "frames 10 to 80 leave out frame 0"),
+        (-5, (-1,), "frames -5 to -1 leave out frame 0"),
+        (-5, (20, 10), r"ranges\[1\].last: frame 10 is not beyond frame 20"),
+        (0, (0,), r"ranges\[0\].last: frame 0 is not beyond frame 0"),
+    ):
+        plating = Plating(ranges=[FrameRange(last, 0.5) for last in lasts], first_frame=first)
+        with pytest.raises(ValueError, match=said):
+            plating.frame_places([15], 84.0)
+        with pytest.raises(ValueError):
+            hn.frame_table([(a, b, 0.5) for a, b in zip((first, *lasts), lasts)])
 
 
 def test_a_template_along_the_hull_s_border():

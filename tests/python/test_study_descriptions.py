@@ -51,6 +51,7 @@ def test_random_values_are_in_their_ranges():
 
 FIELD = {"base": "point", "point": [64, 6, 4], "shift": [0, 1, 0], "extent": 9}
 TARGET = {"number": "lcb", "value": 41}
+TARGETS = {"change": "targets", "targets": [TARGET]}
 
 
 def _with_field(**changed):
@@ -87,12 +88,17 @@ def _with_field(**changed):
         ({"changes": [{"change": "sections"}]}, "nothing is wanted"),
         ({"changes": [_with_field(base="sphere")]}, 'base: "sphere" is unknown'),
         ({"changes": [_with_field(point=[1, 2])]}, "2 entries, not 3"),
+        ({"changes": [_with_field(axes="$a")]}, 'axes: "\\$a" names no axes; write letters of x'),
         ({"changes": [_with_field(cells=[1])]}, 'the key "cells" is unknown'),
         ({"changes": [{"change": "targets", "targets": []}]}, "it has none"),
         ({"changes": [{"change": "targets", "targets": [{**TARGET, "number": "x"}]}]}, "unknown"),
         ({"changes": [{"change": "targets", "targets": [{**TARGET, "station": 1}]}]}, "no station"),
         ({"changes": [{"change": "targets", "targets": [TARGET], "moves": "weights"}]}, "family"),
         ({"water": {"draft": "deep"}}, "water.draft"),
+        (
+            {"water": {"draft": 2.0}, "changes": [{**TARGETS, "draft_scale": ["$a", 1]}]},
+            "changes\\[0\\].draft_scale: it would scale the water, whose draft the study fixes",
+        ),
         ({"numbers": ["displaced_volume", "price"]}, "numbers\\[1\\]: it is no number of hydro"),
     ],
 )

@@ -2,6 +2,8 @@
 """Journals of studies: rows survive whatever ends a run, at any byte; what is no journal of the
 study is refused and left as it is."""
 
+import errno
+import fcntl
 import json
 import os
 from pathlib import Path
@@ -145,6 +147,15 @@ def test_one_run_at_a_time(path):
         with pytest.raises(ValueError, match="another run has it open"):
             read(path)
     assert read(path) == {}
+
+
+def test_a_disk_that_keeps_no_file_for_one_run_is_told(path, monkeypatch):
+    def fail(*arguments):
+        raise OSError(errno.ENOLCK, os.strerror(errno.ENOLCK))
+
+    monkeypatch.setattr(fcntl, "flock", fail)
+    with pytest.raises(ValueError, match=r"kept for this run alone \(No locks available\); take"):
+        read(path)
 
 
 def test_places_that_are_no_files(tmp_path):

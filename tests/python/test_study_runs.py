@@ -9,7 +9,7 @@ import signal
 import subprocess
 import sys
 import time
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 import pytest
@@ -171,6 +171,23 @@ def test_a_changed_study_beside_an_old_journal_is_refused(study, hulls, tmp_path
     assert path.read_bytes() == data
 
 
+@pytest.mark.parametrize("engine", [Serial(), Processes(1)], ids=["serial", "processes"])
+def test_other_hulls_have_rows_of_their_own(engine, hulls, tmp_path):
+    few = study_from(described(2, SEED), ROOT / "samples")
+    wider = replace(hulls, parents=hulls.parents * [1.0, 1.001, 1.0])
+    first = csv_bytes(run_study(few, engine=engine, hulls=hulls))
+    second = csv_bytes(run_study(few, engine=engine, hulls=wider))
+    assert second != first
+    assert csv_bytes(run_study(few, engine=engine, hulls=hulls)) == first
+    path = tmp_path / "study.jsonl"
+    run_study(few, path, engine, hulls=hulls)
+    data = path.read_bytes()
+    with pytest.raises(ValueError, match=r"rows are of another study \(arrays of hulls differ\)"):
+        run_study(few, path, engine, hulls=wider)
+    assert path.read_bytes() == data
+    run_study(few, path, engine, hulls=replace(hulls))
+
+
 def test_progress_is_told_and_ends_a_run(study, hulls, expected, tmp_path):
     path = tmp_path / "study.jsonl"
     told = []
@@ -290,3 +307,27 @@ def test_a_study_in_a_file_is_run_from_the_command_line(tmp_path, capsys):
     with pytest.raises(SystemExit):
         main(list(map(str, words)))
     assert "study.json: hulls: NoneType is no list" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    "words, said",
+    [
+        (["--table", "none/table.csv"], "none/table.csv: there is no folder"),
+        (["--front", "none/front.svg"], "none/front.svg: there is no folder"),
+        (["--parquet", "none/table.parquet"], "none/table.parquet: there is no folder"),
+        (["--table", "."], "it is a folder; give a file name"),
+        (["--front", "front.jpg"], "front.jpg: the name of a picture ends in .svg, .pdf or .png"),
+        (["--front", "front.svg", "--x", "volume"], "The table has no numbers 'volume'"),
+        (["--front", "front.svg", "--y", "reason"], "The table has no numbers 'reason'"),
+    ],
+)
+def test_what_can_t_be_written_is_told_before_the_run(words, said, tmp_path, monkeypatch, capsys):
+    description = described(6, SEED)
+    description["hulls"][0] = str(ROOT / "samples" / "coaster.hull.json")
+    (tmp_path / "study.json").write_text(json.dumps(description))
+    monkeypatch.chdir(tmp_path)
+    with pytest.raises(SystemExit):
+        main(["study.json", "--engine", "serial", "--table", "table.csv", *words, "--journal", "j"])
+    told = capsys.readouterr().err
+    assert said in told and "of 6 variants" not in told
+    assert not (tmp_path / "j").exists() and not (tmp_path / "table.csv").exists()

@@ -63,9 +63,8 @@ def _sampled(curve, count):
     second = np.zeros((n, 3))
     if n > 2:
         slopes = np.diff(curve, axis=0) / steps[:, None]
-        matrix = np.diag(2.0 * (steps[:-1] + steps[1:]))
-        matrix += np.diag(steps[1:-1], 1) + np.diag(steps[1:-1], -1)
-        second[1:-1] = np.linalg.solve(matrix, 6.0 * np.diff(slopes, axis=0))
+        diagonal, beside = 2.0 * (steps[:-1] + steps[1:]), steps[1:-1]
+        second[1:-1] = _solved(beside, diagonal, beside, 6.0 * np.diff(slopes, axis=0))
     at = np.linspace(0.0, lengths[-1], count)
     k = np.clip(np.searchsorted(lengths, at, "right") - 1, 0, n - 2)
     h = steps[k][:, None]
@@ -78,11 +77,24 @@ def _sampled(curve, count):
 def _through(points):
     """Control points (n, 3) of the uniform cubic B-spline curve through points (n, 3) that begins
     and ends at its first and last one without curvature."""
-    n = len(points)
-    matrix = np.eye(n)
-    for k in range(1, n - 1):
-        matrix[k, k - 1 : k + 2] = (1.0 / 6.0, 4.0 / 6.0, 1.0 / 6.0)
-    return np.linalg.solve(matrix, points)
+    inner = np.full(len(points) - 2, 1.0 / 6.0)
+    below, above = np.append(inner, 0.0), np.append(0.0, inner)
+    diagonal = np.concatenate([[1.0], 4.0 * inner, [1.0]])
+    return _solved(below, diagonal, above, points)
+
+
+def _solved(below, diagonal, above, right):
+    """Of a tridiagonal system with right sides (n, 3), by Gaussian elimination: each diagonal
+    element exceeds those beside it (n - 1), so that no rows have to be exchanged."""
+    diagonal, right = diagonal.copy(), np.array(right)
+    for k in range(1, len(diagonal)):
+        factor = below[k - 1] / diagonal[k - 1]
+        diagonal[k] -= factor * above[k - 1]
+        right[k] -= factor * right[k - 1]
+    right[-1] /= diagonal[-1]
+    for k in range(len(diagonal) - 2, -1, -1):
+        right[k] = (right[k] - above[k] * right[k + 1]) / diagonal[k]
+    return right
 
 
 def _of_grid(grid, size):
@@ -100,7 +112,7 @@ def _of_grid(grid, size):
             face = [index[k, b], index[k, b + 1], index[k + 1, b + 1], index[k + 1, b]]
             distinct = list(dict.fromkeys(face))
             if len(distinct) >= 3:
-                faces.append(distinct)
+                faces.append(distinct[::-1])  # outwards
     used, number = np.unique(np.concatenate(faces), return_inverse=True)
     ends = np.cumsum([len(face) for face in faces])[:-1]
     numbered = [face.tolist() for face in np.split(number, ends)]

@@ -8,7 +8,6 @@ from .grid import HullGrid, fitted, hull_of
 
 SOURCE = "new hull: barge"
 
-LEAST_SECTIONS = 8
 _RAKE = 0.10  # length of a rake, in parts of the length
 
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The port half of a hull as a grid of control points, and the control mesh that it makes."""
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
@@ -109,7 +109,7 @@ def hull_of(grid, dimensions, name, source):
         faces=builder.faces,
         creases=sorted(builder.creases),
         half=True,
-        layers=[_SHELL, _TRANSOM],
+        layers=[replace(_SHELL), replace(_TRANSOM)],
         face_layers=builder.face_layers,
         particulars=Particulars(
             length_pp=dimensions.length,

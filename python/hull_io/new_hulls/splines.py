@@ -17,13 +17,6 @@ def spans(control):
     )
 
 
-def curve(control, divisions=64):
-    """Points of the curve, (k, d), for looking at."""
-    t = np.linspace(0.0, 1.0, divisions + 1)[:, None]
-    basis = np.hstack([(1 - t) ** 3, 3 * t * (1 - t) ** 2, 3 * t * t * (1 - t), t**3])
-    return (basis @ spans(control)).reshape(-1, np.shape(control)[1])
-
-
 def minimum(control, axis):
     """The least coordinate of the curve along an axis."""
     values = spans(control)[:, :, axis]

@@ -37,9 +37,10 @@ TYPE_SHIPS = {
 
 
 def as_new(data, name, length, beam, draft, depth):
-    """A new HullData with the control mesh and tags of this one, brought to main dimensions in m:
-    heights by the depth, the draft where the new hull floats. Nothing else of the ship comes along:
-    neither loads and openings nor targets, fields and variants.
+    """A new HullData with the control mesh of this one, its layers, tags, flats, ties and groups,
+    brought to main dimensions in m: heights by the depth, the draft where the new hull floats.
+    Nothing else of the ship comes along: neither weights, loads and openings, resistance, plating
+    and appendages nor lines, targets, fields and variants.
 
     ValueError for dimensions that no hull can have, and as scaling.to_dimensions.
     """
@@ -50,6 +51,7 @@ def as_new(data, name, length, beam, draft, depth):
     made = scaling.to_dimensions(data, length_pp=length, beam=beam, draft=draft, depth=depth)
     return replace(
         made, name=name, afloat=ship_data.Afloat(), load=ship_data.Load(), load_cases=[],
-        downflooding_points=[], wind=None, lines=None, targets=wanted.Targets(), area_target=None,
-        fields=[], variants=[], source="", notes=[],
+        weights=ship_data.Weights(), downflooding_points=[], wind=None,
+        resistance=ship_data.Resistance(), lines=None, targets=wanted.Targets(), area_target=None,
+        fields=[], appendages=[], plating=None, variants=[], source="", notes=[],
     )  # fmt: skip

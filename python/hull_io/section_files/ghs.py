@@ -56,11 +56,19 @@ def ghs_text(stations, unit="m"):
 
 def lines_for_ghs(cut, tolerance):
     """The list of StationLine that cut(tolerance), with a tolerance in m, gives, and the tolerance:
-    that given, doubled until no line has more points than GHS takes."""
+    that given, doubled until no line has more points than GHS takes. HullFileError where knuckles
+    alone, which stay whatever the tolerance, are too many."""
     while True:
         lines = cut(tolerance)
-        if max(len(_doubled(line)) for line in lines) <= MOST_POINTS:
+        longest = max(lines, key=lambda line: len(_doubled(line)))
+        if len(_doubled(longest)) <= MOST_POINTS:
             return lines, tolerance
+        points, knuckles = longest.closed
+        if 2 * np.count_nonzero(knuckles) > MOST_POINTS or tolerance > np.ptp(points, axis=0).max():
+            raise HullFileError(
+                f"The station at x = {longest.x:.4g} m has {np.count_nonzero(knuckles)} knuckles, "
+                f"and GHS takes {MOST_POINTS // 2}: take off creases, or export another format."
+            )
         tolerance *= 2.0
 
 

@@ -12,10 +12,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..errors import HullFileError
-from ..limits import SEA_WATER_DENSITY
+from ..limits import GRAVITY, SEA_WATER_DENSITY
 from .numbers_as_text import decimal, plain_name
 
-GRAVITY = 9.80665
 _DENSITIES = (0.995, 1.030)
 
 

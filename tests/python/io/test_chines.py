@@ -2,11 +2,14 @@
 """Boats by their chines: each file makes the same hull, which goes through all points."""
 
 import random
+import tracemalloc
 
 import hull_io
 import numpy as np
 import pytest
 from chine_boats import carene, carlson, chine_text, curves
+from hull_io.chines.chine_files import Chines
+from hull_io.chines.chine_hulls import hull_of_chines
 from hull_io.geometry import read_geometry
 
 FILES = {
@@ -109,6 +112,29 @@ def test_chines_of_unequal_counts_are_sampled(tmp_path):
     assert hn.SurfaceTree(surface).closest_points(keel).distances.max() < 1e-9
     # Natural splines of 5 points by chord length are within a few millimetres of these.
     assert hn.SurfaceTree(surface).closest_points(curves()[1]).distances.max() < 5e-3
+
+
+def _long(count):
+    x = np.linspace(0.0, 4.0, count)
+    return [
+        np.stack([x, y + 0.0 * x, z + 0.1 * np.sin(x)], axis=1) for y, z in ((0, 0), (1, 0.5))
+    ]
+
+
+def test_long_chines_take_memory_by_their_points():
+    """Two of 3,000 points have 36 kB of coordinates each; a square matrix of theirs has 72 MB."""
+    long = (_long(3000)[0], _long(2999)[1])
+    tracemalloc.start()
+    hull_of_chines(Chines("", long, "m", ""))
+    size = tracemalloc.get_traced_memory()[1]
+    tracemalloc.stop()
+    assert size < 10e6
+
+
+def test_the_surface_goes_through_all_points_of_long_chines(tmp_path):
+    hn, surface = surface_of(written(tmp_path, _long(300)))
+    points = np.concatenate(_long(300))
+    assert hn.SurfaceTree(surface).closest_points(points).distances.max() < 1e-9
 
 
 @pytest.mark.parametrize(

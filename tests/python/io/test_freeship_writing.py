@@ -94,6 +94,28 @@ def test_draft_is_from_the_lowest_point(tmp_path):
     assert any("from the lowest point, at z = -0.5 m: it is 1.5 m" in text for text in remarks)
 
 
+def test_creases_of_a_deck_that_is_no_shell_do_not_count_for_the_draft(tmp_path):
+    data = box()
+    points = np.vstack([data.points, [(2.0, 0.0, 3.0), (6.0, 0.0, 3.0)]])
+    deck = hull_io.Layer("Deck", in_hydrostatics=False)
+    data = replace(
+        data,
+        points=points,
+        faces=[*data.faces, [1, 3, 8], [3, 7, 9, 8]],
+        layers=[hull_io.Layer("Hull"), deck],
+        face_layers=[0] * 4 + [1] * 2,
+        creases=[*data.creases, (8, 9), (3, 8)],
+    )
+    read, _ = written(data, tmp_path)
+    assert read.particulars.draft == pytest.approx(1.0, abs=1e-6)
+
+
+def test_spacings_that_would_fill_the_memory_are_refused(tmp_path):
+    lines = hull_io.LineChoice(waterline_spacing=1e-9)
+    with pytest.raises(hull_io.HullFileError, match="1e-09 m apart are more than 1000: take a"):
+        hull_io.write_freeship(box(lines=lines), tmp_path / "box.fbm")
+
+
 def test_stations_are_planes_within_the_hull(tmp_path):
     lines = hull_io.LineChoice(station_count=4, waterlines="0 1 2.5 7", buttock_spacing=1.5)
     path = tmp_path / "box.fbm"

@@ -225,3 +225,22 @@ def test_damaged_copies_are_refused_or_read(tmp_path):
         read += 1
         hull_io.shell_arrays(hull)
     assert 0 < read < 500
+
+
+@pytest.mark.parametrize("mask", [0o022, 0o077, 0o002])
+def test_new_files_have_the_usual_rights_without_a_change_of_these(
+    mask, read, tmp_path, monkeypatch
+):
+    """What is usual holds for all threads, which write files, too."""
+    hull = read(content())
+    (tmp_path / "box.hull.json").unlink()
+    before = os.umask(mask)
+    try:
+        (tmp_path / "usual").touch()
+        with monkeypatch.context() as watched:
+            watched.delattr(os, "umask")
+            hull_io.write_hull_file(hull, tmp_path / "new.hull.json")
+    finally:
+        os.umask(before)
+    found = {path.name: stat.S_IMODE(path.stat().st_mode) for path in tmp_path.iterdir()}
+    assert found == {"usual": 0o666 & ~mask, "new.hull.json": 0o666 & ~mask}

@@ -69,6 +69,8 @@ def test_places_follow_and_girths_stay(read):
         ({"rules": [{"kind": "butts", "value": 1, "girth": 2}]}, "plating.rules[0]: the key"),
         ({"ranges": [{"last": 1.5, "spacing": 1}]}, "plating.ranges[0].last"),
         ({"ranges": [{"last": 1}]}, "plating.ranges[0].spacing: it is missing"),
+        ({**PLATING, "first_frame": 1}, "plating.ranges: frames 1 to 80 leave out frame 0"),
+        ({"ranges": [{"last": -5, "spacing": 1}]}, "plating.ranges[0].last: frame -5 is not bey"),
         ({"thickness": 0}, "plating.thickness"),
         ({"numbered_from": "midship"}, "plating.numbered_from"),
         ({"in_roman": 1}, "plating.in_roman"),

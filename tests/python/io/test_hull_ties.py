@@ -10,6 +10,7 @@ import pytest
 from hull_io import hull_ties, mending, mirror
 from test_hull_file import content
 
+SEED = 1129
 TIES = [
     {"kind": "line", "point": 4, "to": [3, 5], "share": 0.25},
     {"kind": "anchor", "point": 2, "to": [4], "distance": [10, 0.5, -3]},
@@ -32,6 +33,47 @@ def test_ties_and_groups_are_written_and_read(read, tmp_path):
     data.ties, data.groups = [], []
     hull_io.write_hull_file(data, tmp_path / "none.hull.json")
     assert not set(hull_ties.KEYS) & set(json.loads((tmp_path / "none.hull.json").read_text()))
+
+
+class Looked(dict):
+    """Ties by points, with how often one was looked up."""
+
+    count = 0
+
+    def __getitem__(self, point):
+        self.count += 1
+        return super().__getitem__(point)
+
+
+@pytest.mark.parametrize("order", [1, -1])
+def test_each_tie_of_a_long_chain_is_followed_once(order):
+    numbers = range(5000)[::order]
+    ties = Looked({k: hull_io.Tie("line", k, (k + 1, max(k - 1, 0) + 10000)) for k in numbers})
+    assert hull_ties.circle(ties) == set()
+    assert ties.count == 5000
+    ties[4999] = hull_io.Tie("level", 4999, (4000,))
+    assert hull_ties.circle(ties) == set(range(4000, 5000))
+
+
+def test_random_ties_have_a_circle_where_a_point_leads_to_itself():
+    """By the closure of who follows whom."""
+    random = np.random.default_rng(SEED)
+    circles = 0
+    for _ in range(300):
+        points = random.permutation(8)[: random.integers(1, 8)].tolist()
+        ties = {
+            p: hull_io.Tie("line", p, tuple(random.integers(0, 12, 2).tolist())) for p in points
+        }
+        leads = np.zeros((12, 12), dtype=bool)
+        for point, tie in ties.items():
+            leads[point, list(tie.to)] = True
+        for _ in range(4):
+            leads |= leads.astype(int) @ leads.astype(int) > 0
+        found = hull_ties.circle(ties)
+        assert bool(found) == leads.diagonal().any()
+        assert all(leads[a, b] for a in found for b in found)
+        circles += bool(found)
+    assert 50 < circles < 250, (SEED, circles)
 
 
 @pytest.mark.parametrize(

@@ -110,3 +110,15 @@ def test_a_hull_file_is_read_as_it_is_or_mended(tmp_path):
     mending.mend(again)
     assert again.notes == mended.notes and (again.points == mended.points).all()
     assert again.faces == mended.faces
+
+
+def test_turned_faces_are_told_however_many_they_are(tmp_path):
+    outwards = hull_io.read_hull(starboard_hull_file(tmp_path))
+    mending.mend(outwards)
+    for turned, said in ((0, None), (1, "1 of 5 faces were"), (5, "All 5 faces were")):
+        hull = copy.deepcopy(outwards)
+        hull.notes = []
+        hull.faces[:turned] = [face[::-1] for face in hull.faces[:turned]]
+        mending.turn_faces(hull)
+        assert [sorted(face) for face in hull.faces] == [sorted(face) for face in outwards.faces]
+        assert hull.notes == ([f"{said} turned to face outwards."] if said else [])

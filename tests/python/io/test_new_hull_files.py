@@ -1,12 +1,20 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """New hulls are made without Blender, and hull files keep all of them."""
 
+import json
 import re
+from dataclasses import fields
 
 import numpy as np
 import pytest
-from hull_io import read_hull_file, write_hull_file
+from hull_file_content import content, variant
+from hull_io import HullData, hull_file, read_hull_file, write_hull_file
 from hull_io.new_hulls import TYPES, new_hull
+from hull_io.new_hulls.type_ships import as_new
+
+# What is of the control mesh, in a HullData.
+MESH = """points faces creases corners half layers face_layers particulars scheme deck_edge
+    shown_rows curves flats developables locked kept ties groups units""".split()
 
 
 @pytest.mark.parametrize("kind", TYPES)
@@ -42,3 +50,34 @@ def test_dimensions_at_their_limits_make_hulls(kind):
             for draft, depth in ((1e-3, 2e-3), (1e-3, 1e4), (9e3, 1e4)):
                 hull = new_hull(kind, length, beam, draft, depth, sections=10, points=8)
                 assert np.isfinite(hull.points).all()
+
+
+@pytest.mark.parametrize("kind", TYPES)
+def test_layers_of_a_new_hull_are_its_own(kind):
+    lengths = (10.0, 3.0, 0.5, 1.5)
+    first = new_hull(kind, *lengths, sections=10, points=8)
+    for layer in first.layers:
+        layer.thickness = 0.02
+    assert [layer.thickness for layer in new_hull(kind, *lengths, 10, 8).layers] == [0.0, 0.0]
+
+
+def test_a_hull_after_a_type_ship_has_her_mesh_alone():
+    described = content(
+        particulars={"length_pp": 10.0, "beam": 4, "draft": 1.5, "depth": 3},
+        plating={"thickness": 0.02},
+        appendages=[
+            {"shape": "cylinder", "start": [0, 0, 0], "end": [1, 0, 0], "sizes": [0.2, 0.2]}
+        ],
+        ties=[{"kind": "level", "point": 0, "to": [1]}],
+        groups=[{"name": "Side", "points": [5, 3]}],
+        variants=[variant()],
+    )
+    ship = hull_file.parse_hull_file(json.dumps(described).encode(), "ship.hull.json")
+    made = as_new(ship, "New", 20.0, 8.0, 3.0, 6.0)
+    plain = HullData("New", made.points, made.faces)
+    rest = [one.name for one in fields(HullData) if one.name not in ("name", *MESH)]
+    kept = [name for name in rest if getattr(made, name) != getattr(plain, name)]
+    assert kept == [] and made.name == "New"
+    assert [name for name in rest if getattr(ship, name) == getattr(plain, name)] == ["notes"]
+    for name in ("layers", "ties", "groups", "creases", "faces"):
+        assert getattr(made, name) == getattr(ship, name)

@@ -8,7 +8,7 @@ import hull_io
 import hull_native as hn
 import numpy as np
 import pytest
-from hull_io import scaling
+from hull_io import moving, scaling
 
 SAMPLES = Path(__file__).resolve().parents[3] / "samples"
 NAMES = sorted(path.name.split(".")[0] for path in SAMPLES.glob("*.hull.json"))
@@ -274,3 +274,19 @@ def test_scaled_hulls_are_written_and_read(tmp_path):
     again = hull_io.read_hull(tmp_path / "made.hull.json")
     assert np.array_equal(again.points, made.points)
     assert again.particulars == made.particulars and again.lines == made.lines
+
+
+@pytest.mark.parametrize("given", [0.0, 1.5])
+def test_what_is_not_given_stays_so_where_a_hull_is_moved_up(given):
+    """0 of a draft, depth or KG stands for none; that of a point is a height."""
+    data = sample("coaster")
+    holtrop = data.resistance.holtrop
+    data.particulars.draft = data.particulars.depth = data.load.kg = given
+    holtrop.draft_forward = holtrop.draft_aft = holtrop.bulb_height = given
+    data.load_cases = [hull_io.LoadCase("ballast", 8.0, 5.0, 0.0, 0.0)]
+    made = scaling.follow(data, moving.upwards(0.5, heights_stay=False))
+    wanted = given + 0.5 if given else 0.0
+    ship, holtrop = made.particulars, made.resistance.holtrop
+    assert [ship.draft, ship.depth, made.load.kg] == [wanted] * 3
+    assert [holtrop.draft_forward, holtrop.draft_aft, holtrop.bulb_height] == [wanted] * 3
+    assert made.load_cases[0].vcg == 0.5 and (made.points == data.points + (0, 0, 0.5)).all()

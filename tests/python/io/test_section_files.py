@@ -142,6 +142,13 @@ def area_below(points, height):
     return float((below * ((next_z <= height) | crosses)).sum() + above.sum())
 
 
+def test_more_knuckles_than_ghs_takes_are_refused():
+    points = np.column_stack([np.linspace(0.0, 4.0, 90), np.linspace(0.0, 3.0, 90)])
+    line = section_files.StationLine(5.0, points, np.ones(90, dtype=bool))
+    with pytest.raises(hull_io.HullFileError, match="5 m has 9[01] knuckles, and GHS takes 82"):
+        section_files.lines_for_ghs(lambda tolerance: [line], 1e-3)
+
+
 @pytest.mark.parametrize("unit", ["m", "ft"])
 def test_ghs_files_of_samples_read_back(sample, unit):
     if is_catamaran(sample):

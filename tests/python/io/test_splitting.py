@@ -5,6 +5,7 @@ from collections import Counter
 
 import numpy as np
 import pytest
+from hull_io import splitting
 from hull_io.splitting import split, standing_parts
 
 SEED = 1204
@@ -149,6 +150,23 @@ def test_any_faces_become_a_surface(trial):
             seen.add(frozenset(face))
             faces.append(face)
     parted(points, faces, random.integers(0, 3, size=len(faces)).tolist())
+
+
+@pytest.mark.parametrize("count", [30, 300])
+def test_faces_at_one_edge_are_not_all_compared(count, monkeypatch):
+    """However many: two go on, opposite pairs too, and the rest come off, each by itself."""
+    compared = []
+    pairs = splitting.combinations
+    monkeypatch.setattr(
+        splitting,
+        "combinations",
+        lambda *given: (compared.append(pair) or pair for pair in pairs(*given)),
+    )
+    angles = np.linspace(0.0, 2.0 * np.pi, count, endpoint=False)
+    points = [(0, 0, 0), (1, 0, 0), *((0.5, np.cos(a), np.sin(a)) for a in angles)]
+    made = parted(points, [[0, 1, 2 + k] for k in range(count)])
+    assert made.edges == [(0, 1)] and made.points == [0, 1]
+    assert 0 < len(compared) <= 500
 
 
 def test_the_same_faces_give_the_same():

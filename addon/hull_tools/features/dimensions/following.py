@@ -14,12 +14,12 @@ FOLLOWING = {
     **{place: how for place, how in scaling.FOLLOWING.items() if place.startswith(_AS_IN_FILES)},
     "length_pp": "x",
     "beam": "y",
-    "draft": "at z",
-    "depth": "at z",
+    "draft": "at z, or 0",
+    "depth": "at z, or 0",
     "trim_m": "z",
     "fairness.comb_step": "x",
     "loading.mass_t": "volume",
-    "loading.kg": "at z",
+    "loading.kg": "at z, or 0",
     "loading.lcg": "at x",
     "loading.least_t": "volume",
     "loading.greatest_t": "volume",
@@ -29,8 +29,8 @@ FOLLOWING = {
     "loading.load_cases.lcg": "at x",
     "loading.load_cases.tcg": "at y",
     "loading.load_cases.vcg": "at z",
-    "table.draft_from": "at z",
-    "table.draft_to": "at z",
+    "table.draft_from": "at z, or 0",
+    "table.draft_to": "at z, or 0",
     "table.draft_step": "z",
     "studio.boot_top_height": "z",
     "transform.kept_aft": "x",
@@ -86,11 +86,6 @@ STAYING_GROUPS = frozenset(("variants", "morph", "curve", "appendage"))
 _IN_METRES = frozenset(
     """lines.stations lines.waterlines lines.buttocks lines.diagonals plates.rules.value""".split()
 )
-# Zero stands for something that follows by itself.
-_ZERO_IS_NONE = frozenset(
-    """draft depth loading.kg table.draft_from table.draft_to resistance.holtrop.draft_forward
-    resistance.holtrop.draft_aft resistance.holtrop.bulb_height""".split()
-)
 
 
 def follow(obj, scale, metric):
@@ -99,7 +94,7 @@ def follow(obj, scale, metric):
     restore_guesses = _guesses(obj.hull.loading)
     for path, change in FOLLOWING.items():
         own = metric if path in _IN_METRES else scale
-        _follow(obj.hull, path.split("."), change, own, path in _ZERO_IS_NONE)
+        _follow(obj.hull, path.split("."), change, own)
     restore_guesses()
     for entry in obj.hull.flats:
         normal, offset = scale.plane(*_plane(entry))
@@ -129,22 +124,20 @@ def follow_entry(entry, place, scale):
     Blender's units makes of them."""
     for path, change in FOLLOWING.items():
         if path.startswith(place):
-            _follow(entry, path[len(place) :].split("."), change, scale, False)
+            _follow(entry, path[len(place) :].split("."), change, scale)
 
 
-def _follow(group, names, change, scale, zero_is_none):
+def _follow(group, names, change, scale):
     name, *rest = names
     if rest:
         part = getattr(group, name)
         is_list = group.bl_rna.properties[name].type == "COLLECTION"
         for each in part if is_list else (part,):
-            _follow(each, rest, change, scale, zero_is_none)
+            _follow(each, rest, change, scale)
         return
     value = getattr(group, name)
     is_vector = not isinstance(value, str) and hasattr(value, "__len__")
     value = tuple(value) if is_vector else value
-    if zero_is_none and value == 0.0:
-        return
     changed = scaling.CHANGES[change](scale, group, value)
     if changed != value:
         setattr(group, name, changed)
