@@ -15,7 +15,7 @@ from ..errors import HullFileError
 from ..limits import FURTHEST_POINT, MAX_OFFSETS
 from ..table_text import table_rows
 from .lengths import Length, is_nothing, length_in, unit_named
-from .table_headings import Heading, block_of, heading_of
+from .table_headings import Heading, block_of, heading_of, is_title
 from .values import METRES_PER_UNIT
 
 _SETTING = re.compile(
@@ -117,7 +117,8 @@ class _Reader:
                 continue
             headings = [self._heading(row, cell) for cell in cells]
             title = block_of(cells)
-            if title and not any(h.is_line or h.position for h in headings):
+            is_bare = not any(h.is_line or h.position for h in headings)
+            if title and (is_bare or is_title(cells)):
                 self._finish()
                 self.block, self.columns = title, None
             elif self._is_header(headings):

@@ -2,6 +2,8 @@
 """Tables of offsets and lists of points: the layouts that people use, and what is wrong with
 some."""
 
+import re
+
 import hull_io
 import numpy as np
 import pytest
@@ -64,7 +66,25 @@ def stations_of(geometry):
     return {c.points[0, 0]: c for c in geometry.curves if c.kind == "station"}
 
 
-@pytest.mark.parametrize("text", [BY_ROWS, BY_COLUMNS, IN_BLOCKS, NUMBERED, IN_MM])
+TITLES = (
+    "Heights above BL",
+    "Heights above B.L.",
+    "Heights on buttocks",
+    "Heights of buttocks above the base line",
+    "Heights above WL 0",
+    "Buttock heights",
+)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [BY_ROWS, BY_COLUMNS, IN_BLOCKS, NUMBERED, IN_MM]
+    + [IN_BLOCKS.replace("Heights above base", title) for title in TITLES]
+    + [
+        re.sub("  +", ";", IN_BLOCKS).replace("Keel ", "Keel;").replace("Heights above base", title)
+        for title in TITLES
+    ],
+)
 def test_layouts(read, text):
     found = read(text)
     stations = stations_of(found)
