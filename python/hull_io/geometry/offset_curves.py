@@ -90,6 +90,10 @@ class _Station:
 def _take(table, station, offset):
     line, value = offset.line, table.in_unit(offset.value)
     if line.kind in ("waterline", "buttock") and line.position is None:
+        what = "height" if line.kind == "waterline" else "distance from the centre line"
+        told = f"'{line.text[:80]}' has no {what} in its heading, and is left out."
+        if told not in table.left_out:
+            table.left_out.append(told)
         return
     if line.kind == "waterline":
         z = _line_position(table, line, "waterline spacing")

@@ -189,6 +189,31 @@ def test_unknown_lines_are_told(read):
     assert found.left_out == ("'Paint' is no line that is known, and is left out.",)
 
 
+def test_lines_without_a_place_are_told(read):
+    found = read(BY_ROWS.replace("WL 1,", "Load waterline,").replace("Buttock 0.5", "Buttock"))
+    assert found.left_out == (
+        "'Load waterline' has no height in its heading, and is left out.",
+        "'Buttock' has no distance from the centre line in its heading, and is left out.",
+    )
+
+
+@pytest.mark.parametrize(
+    "above", ["", " above BL", " above B.L.", " above WL 0", " from base line"]
+)
+def test_lines_that_name_their_datum(read, above):
+    found = read(
+        f"x,WL 1 from CL,Buttock 0.5{above},Keel height{above},Deck height{above},"
+        "Deck half-breadth\n"
+        "0,0.25,1.5,0.6,5,2\n10,2,0.125,0,6,3\n"
+    )
+    lines = {curve.kind: curve.points.tolist() for curve in found.curves}
+    assert lines["deck_edge"] == [[0, 2, 5], [10, 3, 6]]
+    assert lines["profile"] == [[0, 0, 0.6], [10, 0, 0]]
+    assert lines["waterline"] == [[0, 0.25, 1], [10, 2, 1]]
+    assert lines["buttock"] == [[0, 0.5, 1.5], [10, 0.5, 0.125]]
+    assert not found.left_out
+
+
 def test_points_in_no_order(read):
     found = read("x, y, z\n1, 2, 3\n4, 5, 6\n7.5, 8, 9\n", "txt")
     assert found.points.tolist() == [[1, 2, 3], [4, 5, 6], [7.5, 8, 9]] and not found.curves
