@@ -148,6 +148,19 @@ def test_a_table_in_feet(read):
     np.testing.assert_allclose(feet[20.0][1], (5 + 3.5625 / 12, 2.0), rtol=1e-15)
 
 
+@pytest.mark.parametrize("sign", [", ", ";", "\t"])
+def test_marks_of_feet_and_inches(read, sign):
+    rows = [
+        ("x", "'WL 1'", '"WL 2"', "WL 3"),
+        ("0", '6"', "5'", "5' 3 1/2\""),
+        ("10", '"0.5"', '"5\'"', '"5\' 3 1/2"""'),
+    ]
+    found = read("unit: ft\n" + "".join(sign.join(row) + "\n" for row in rows))
+    assert found.unit == "ft"
+    for station in stations_of(found).values():
+        np.testing.assert_allclose(station.points[:, 1], [0.5, 5.0, 5.0 + 3.5 / 12], rtol=1e-15)
+
+
 def test_a_bulb_is_passed_in_order(read):
     """Half-breadths that fall and rise again, with heights of buttocks below and above."""
     found = read(
