@@ -126,8 +126,14 @@ def _line_position(table, line, spacing):
 def _station_positions(table, name):
     """x by the station's text. HullFileError where stations have numbers alone."""
     texts = list(dict.fromkeys(offset.station.text for offset in table.offsets))
-    if all(text in table.positions for text in texts):
+    missing = [text for text in texts if text not in table.positions]
+    if not missing:
         return {text: table.in_unit(table.positions[text]) for text in texts}
+    if len(missing) < len(texts):
+        raise HullFileError(
+            f"{name}: station '{missing[0][:40]}' has no x and others have one; give the x of each "
+            "station, or of none."
+        )
     numbers = {text: table.station_headings[text].position for text in texts}
     for text, number in numbers.items():
         if number is None:

@@ -178,6 +178,7 @@ def test_a_bulb_is_passed_in_order(read):
     [
         ("Station,WL 1,WL 2\n0,1,2\n1,1,2\n2,1,2\n", "station spacing"),
         ("Station,WL 1,WL 2\nfirst,1,2\nlast,1,2\n", "where station 'first' is"),
+        ("Station,x,WL 0,WL 1\n0,0,1,2\n10,6,1,2\n20,,1,2\n30,18,1,2\n", "station '20' has no x"),
         ("x,WL 1,WL 2\n0,1,two\n", "line 2: 'two' at 'WL 2' is no length"),
         ("x,WL 1,WL 2\n0,1,5-12-0\n", "line 2: '5-12-0' has more than 11 inches"),
         ("x,WL 1,WL 2\n0,1,5-1-8\n", "more than 7 eighths"),
