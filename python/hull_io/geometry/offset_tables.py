@@ -234,10 +234,16 @@ class _Reader:
         return value
 
     def _stations_are_rows(self):
-        if any(h.is_line for h in self.columns):
-            return True
         labels = [heading for _, heading, _ in self.rows]
-        if any(label.is_line for label in labels) or self.corner.kind in ("waterline", "buttock"):
+        # Beside a corner that says so, "Stem" and "Transom" are stations.
+        ends = ("stem", "stern")
+        in_columns = ends if self.corner.kind in ("waterline", "buttock") else ()
+        in_rows = ends if self.corner.kind in ("station", "x") else ()
+        if any(h.is_line and h.kind not in in_columns for h in self.columns):
+            return True
+        if any(label.is_line and label.kind not in in_rows for label in labels):
+            return False
+        if self.corner.kind in ("waterline", "buttock"):
             return False
         if self.corner.kind == "x" or any(label.kind == "station" for label in labels):
             return True

@@ -228,6 +228,29 @@ def test_lines_that_name_their_datum(read, above):
     assert not found.left_out
 
 
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Half-breadths\nStation;0;2;4\nTransom;1;1.5;2\n5;2;3;3.5\n10;1;2;2.5\n",
+        "WL;Transom;Station 5;Station 10\n0;1;2;1\n2;1.5;3;2\n4;2;3.5;2.5\n",
+    ],
+)
+def test_a_station_named_as_an_end(read, text):
+    """It has no place, and is no line across the stations."""
+    with pytest.raises(hull_io.HullFileError, match="where station 'Transom' is"):
+        read(text)
+    at_an_x = text.replace("Transom", "0")
+    found = stations_of(read(at_an_x))
+    assert list(found) == [0, 5, 10]
+    np.testing.assert_allclose(found[5].points[:, 1:], [(2, 0), (3, 2), (3.5, 4)])
+
+
+def test_ends_without_x_are_told(read):
+    found = read("x,WL 1,WL 2,Stem,Stern height\n0,1,2,3,3\n10,1,2,3,\n")
+    assert [told.split("'")[1] for told in found.left_out] == ["Stem", "Stern height"]
+    assert {curve.kind for curve in found.curves} == {"station", "waterline"}
+
+
 def test_points_in_no_order(read):
     found = read("x, y, z\n1, 2, 3\n4, 5, 6\n7.5, 8, 9\n", "txt")
     assert found.points.tolist() == [[1, 2, 3], [4, 5, 6], [7.5, 8, 9]] and not found.curves
