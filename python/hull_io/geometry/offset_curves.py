@@ -91,11 +91,11 @@ def _take(table, station, offset):
     line, value = offset.line, table.in_unit(offset.value)
     if line.kind in ("waterline", "buttock") and line.position is None:
         what = "height" if line.kind == "waterline" else "distance from the centre line"
-        _leave_out(table, f"'{line.text[:80]}' has no {what} in its heading")
+        table.leave_out(f"'{line.text[:80]}' has no {what} in its heading")
         return
     if line.kind in ("stem", "stern"):
         # A point of it lies at its own x, and not at that of a station.
-        _leave_out(table, f"'{line.text[:80]}' has no x beside it, as in 'Stem: x'")
+        table.leave_out(f"'{line.text[:80]}' has no x beside it, as in 'Stem: x'")
         return
     if line.kind == "waterline":
         z = _line_position(table, line, "waterline spacing")
@@ -116,12 +116,6 @@ def _take(table, station, offset):
         return
     if offset.value.on_knuckle:
         station.knuckles.add(place)
-
-
-def _leave_out(table, why):
-    told = f"{why}, and is left out."
-    if told not in table.left_out:
-        table.left_out.append(told)
 
 
 def _line_position(table, line, spacing):

@@ -7,7 +7,7 @@ import re
 import hull_io
 import numpy as np
 import pytest
-from hull_io.geometry import read_geometry
+from hull_io.geometry import offset_tables, read_geometry
 from hull_io.geometry.lengths import length_in
 
 # A hull of three stations at x = 0, 10, 20, two waterlines at z = 1, 2 and a buttock at y = 0.5.
@@ -249,6 +249,24 @@ def test_ends_without_x_are_told(read):
     found = read("x,WL 1,WL 2,Stem,Stern height\n0,1,2,3,3\n10,1,2,3,\n")
     assert [told.split("'")[1] for told in found.left_out] == ["Stem", "Stern height"]
     assert {curve.kind for curve in found.curves} == {"station", "waterline"}
+
+
+def test_units_are_sought_once(read, monkeypatch):
+    """And not at each of 200 000 offsets through all of them."""
+    calls, sought = [], offset_tables.OffsetTable._told_units
+    monkeypatch.setattr(
+        offset_tables.OffsetTable, "_told_units", lambda table: calls.append(1) or sought(table)
+    )
+    read("x [ft],WL 1,WL 2\n" + "".join(f"{x},1,2\n" for x in range(40)))
+    assert len(calls) <= 2
+
+
+@pytest.mark.parametrize("rest", ["", ",1,2", ",,"], ids=["nothing", "values", "empty cells"])
+def test_rows_are_counted_in_all_blocks(read, monkeypatch, rest):
+    monkeypatch.setattr(offset_tables, "MAX_OFFSETS", 10)
+    block = "x,WL 1,WL 2\n" + "".join(f"{x}{rest}\n" for x in range(6))
+    with pytest.raises(hull_io.HullFileError, match=r"line \d+: there are more than 10 values"):
+        read("x,WL 1\n0,1\n1,1\n" + 2 * block)
 
 
 def test_points_in_no_order(read):
