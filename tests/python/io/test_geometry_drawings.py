@@ -136,6 +136,13 @@ def test_faces_and_points(read):
     assert len(found.meshes[0].triangles) == 2 and found.points.tolist() == [[7, 8, 9]]
 
 
+def test_faces_of_three_corners(read):
+    face = ["3DFACE", *(p for k in range(3) for p in xyz(10 + k, (1 + k % 2, 2 + k // 2, 3)))]
+    (mesh,) = read(dxf(face)).meshes
+    assert mesh.points.tolist() == [[1, 2, 3], [1, 3, 3], [2, 2, 3]]
+    assert len(mesh.triangles) == 1
+
+
 def test_what_is_left_out_is_told(read):
     found = read(dxf(LINE, ["TEXT", (1, "a")], ["REGION"], ["LINE", (67, 1), *LINE[2:]]))
     assert len(found.curves) == 1
