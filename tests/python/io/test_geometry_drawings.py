@@ -158,6 +158,14 @@ def endless():
     return dxf(["INSERT", (2, "a")], blocks=blocks)
 
 
+def texts_of_blocks(count):
+    """A block of texts, inserted a thousandfold by a block that is itself inserted so."""
+    blocks = [["BLOCK", (2, "a")], *[["TEXT", (1, "frame")]] * count, ["ENDBLK"]]
+    for outer, inner in ("ba", "cb"):
+        blocks += [["BLOCK", (2, outer)], ["INSERT", (2, inner), (70, 1000)], ["ENDBLK"]]
+    return dxf(LINE, ["INSERT", (2, "c"), (70, 1000)], blocks=blocks)
+
+
 @pytest.mark.parametrize(
     "text, message",
     [
@@ -172,6 +180,8 @@ def endless():
         (dxf(["SPLINE", (71, 3)]), "no points"),
         (dxf(["TEXT", (1, "a")]), "no line, polyline"),
         (endless(), "without end"),
+        (texts_of_blocks(1), "blocks are inserted more than 100000 times"),
+        (texts_of_blocks(100), "more than is read"),
         (dxf(["INSERT", (2, "a"), (70, 5000)], blocks=[["BLOCK", (2, "a")]]), "repeats"),
     ],
 )
