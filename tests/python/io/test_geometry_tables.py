@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Tables of offsets and lists of points: the layouts that people use, and what is wrong with
-some."""
+"""Tables of offsets and lists of points: the layouts people use, and what is wrong with some."""
 
 import re
 
@@ -66,6 +65,7 @@ def stations_of(geometry):
     return {c.points[0, 0]: c for c in geometry.curves if c.kind == "station"}
 
 
+IN_CELLS = re.sub("  +", ";", IN_BLOCKS).replace("Keel ", "Keel;")
 TITLES = (
     "Heights above BL",
     "Heights above B.L.",
@@ -80,10 +80,7 @@ TITLES = (
     "text",
     [BY_ROWS, BY_COLUMNS, IN_BLOCKS, NUMBERED, IN_MM]
     + [IN_BLOCKS.replace("Heights above base", title) for title in TITLES]
-    + [
-        re.sub("  +", ";", IN_BLOCKS).replace("Keel ", "Keel;").replace("Heights above base", title)
-        for title in TITLES
-    ],
+    + [IN_CELLS.replace("Heights above base", title) for title in TITLES],
 )
 def test_layouts(read, text):
     found = read(text)
@@ -187,6 +184,7 @@ def test_a_bulb_is_passed_in_order(read):
         ("x,WL 1\n0,1\n", "no station has two points"),
         ("", "no two points"),
         ("1 2\n3 4\n", "line 1: '1 2' are two numbers"),
+        ("1 2 3\n4 5\n6 7 8 9\n", "line 2: '4 5' are two numbers"),
         ("1 2 3\n4 5 nan\n", "line 2: a number is not finite"),
         ("1 2 3\n4 5 1e9\n", "further than 1000000"),
         (b"\0\1\2\3" * 40, "none of the known formats"),
@@ -291,3 +289,12 @@ def test_points_section_by_section_are_curves(read):
     rows = [(x, y, y * y) for x in (0, 1, 2, 4) for y in (0, 1, 2)]
     found = read("\n".join("{} {} {}".format(*row) for row in rows), "txt")
     assert [curve.points[0, 0] for curve in found.curves] == [0, 1, 2, 4]
+
+
+def test_points_in_no_order_are_not_split(read, monkeypatch):
+    """Of a million points each would become an array of its own, three times."""
+    split, parts = np.split, []
+    monkeypatch.setattr(np, "split", lambda points, at: parts.extend(at) or split(points, at))
+    points = np.random.default_rng(7).uniform(size=(300, 3))
+    text = "\n".join("{} {} {}".format(*point) for point in points)
+    assert read(text, "xyz").points.tolist() == points.tolist() and not parts
