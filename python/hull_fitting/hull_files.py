@@ -3,10 +3,8 @@
 
 import numpy as np
 
-from .beside import Flat, HullData, Kept, Layer, Particulars, edge_key
+from .beside import Flat, HullData, Kept, Particulars, edge_key, shell_and_transom
 
-_SHELL = Layer("Shell", True, (0.55, 0.17, 0.14))
-_TRANSOM = Layer("Transom", True, (0.7, 0.7, 0.68))
 # Parts of a face, along its sides, of which the surface's extents are taken.
 _PARTS = 8
 # Of the length: points of a row are of one x.
@@ -33,7 +31,7 @@ def hull_data(fitted, name, source, particulars):
         faces=[list(face) for face in mesh.faces],
         creases=sorted(edge_key(*edge) for edge in mesh.creases),
         half=True,
-        layers=[_SHELL, _TRANSOM],
+        layers=shell_and_transom(),
         face_layers=face_layers,
         particulars=particulars,
         deck_edge=sorted(deck),
