@@ -16,7 +16,7 @@ from ..errors import HullFileError
 from ..limits import FURTHEST_POINT, MAX_OFFSETS
 from ..table_text import table_rows
 from .lengths import Length, is_nothing, length_in, unit_named
-from .table_headings import Heading, block_of, heading_of, is_title
+from .table_headings import Heading, block_of, has_other_datum, heading_of, is_title
 from .values import METRES_PER_UNIT
 
 _SETTING = re.compile(
@@ -122,6 +122,11 @@ class _Reader:
         for row, cells in rows:
             if self._is_setting(cells):
                 continue
+            if has_other_datum(cells):
+                told = " ".join(cell for cell in cells if cell)[:80]
+                raise self.error(
+                    row, f"'{told}' are not above the base line", "give all heights above that"
+                )
             headings = [self._heading(row, cell) for cell in cells]
             title = block_of(cells)
             is_bare = not any(h.is_line or h.position for h in headings)

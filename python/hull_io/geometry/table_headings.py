@@ -32,6 +32,11 @@ _DATUM = re.compile(
     r"(?:b\.?l\.?|base\s?line|c\.?l\.?|cent(?:re|er)\s?line|w\.?l\.?|water\s?line)"
     r"(?:\s*0+(?:\.0*)?(?:\s*(?:mm|cm|m|ft|in)\b)?)?(?!\w|\s*[-+.]?\d)"
 )
+# "Heights above WL 1": from where z = 0 is not.
+_OTHER_DATUM = re.compile(
+    r"heights?\b.*\b(?:above|over|from)\s+(?:the\s+)?(?:w\.?l\.?|water\s?line|base\s?line)"
+    r"\s*[-+.]?\d[^;,\t]*"
+)
 # In a title: all lines of a kind, none of which has a number.
 _ALL_LINES = re.compile(
     r"\b(?:on|at|of|along|for)\s+(?:the\s+)?(?:buttocks?(?:\s?lines)?|water\s?lines?|w\.?l\.?s?)"
@@ -98,3 +103,11 @@ def is_title(cells):
     words = _ALL_LINES.sub(" ", _DATUM.sub(" ", " ".join(filled).lower()))
     heading = heading_of(words)
     return not heading.is_line and heading.position is None
+
+
+def has_other_datum(cells):
+    """Whether a line is the title of heights that are not measured from the base line."""
+    filled = [cell for cell in cells if cell]
+    if len(filled) > 1 and any(" " in cell for cell in filled):
+        return False
+    return _OTHER_DATUM.fullmatch(_DATUM.sub(" ", " ".join(filled).lower())) is not None

@@ -9,7 +9,7 @@ import pytest
 from hull_io.geometry import offset_tables, read_geometry
 from hull_io.geometry.lengths import length_in
 
-# A hull of three stations at x = 0, 10, 20, two waterlines at z = 1, 2 and a buttock at y = 0.5.
+# A hull of three stations, at x = 0, 10, 20, waterlines at z = 1, 2 and a buttock at y = 0.5.
 STATIONS = {
     0.0: [(0.0, 0.6), (0.25, 1.0), (0.5, 1.5), (0.75, 2.0)],
     10.0: [(0.0, 0.0), (0.5, 0.125), (2.0, 1.0), (2.25, 2.0)],
@@ -67,13 +67,9 @@ def stations_of(geometry):
 
 IN_CELLS = re.sub("  +", ";", IN_BLOCKS).replace("Keel ", "Keel;")
 TITLES = (
-    "Heights above BL",
-    "Heights above B.L.",
-    "Heights on buttocks",
-    "Heights of buttocks above the base line",
-    "Heights above WL 0",
-    "Buttock heights",
-)
+    "Heights above BL;Heights above B.L.;Heights on buttocks;Heights above WL 0;Buttock heights;"
+    "Heights of buttocks above the base line"
+).split(";")
 
 
 @pytest.mark.parametrize(
@@ -181,6 +177,8 @@ def test_a_bulb_is_passed_in_order(read):
         ("x,WL 1,WL 2\n0,1,5-1-8\n", "more than 7 eighths"),
         ("x,WL 1,WL 2\n0,1,1e9\n", "line 2: 1e"),
         ("x,WL 1,WL 2\n", "no offsets are found"),
+        (IN_BLOCKS.replace("base", "WL 1"), "line 6: 'Heights above WL 1' are not above the base"),
+        (IN_CELLS.replace("base", "WL 1"), "line 6: 'Heights above WL 1' are not above the base"),
         ("x,WL 1\n0,1\n", "no station has two points"),
         ("", "no two points"),
         ("1 2\n3 4\n", "line 1: '1 2' are two numbers"),
@@ -197,8 +195,9 @@ def test_what_is_wrong_is_told(read, text, message):
 
 
 def test_unknown_lines_are_told(read):
-    found = read(BY_ROWS.replace("Profile", "Paint"))
-    assert found.left_out == ("'Paint' is no line that is known, and is left out.",)
+    assert read(BY_ROWS.replace("Profile", "Paint")).left_out == (
+        "'Paint' is no line that is known, and is left out.",
+    )
 
 
 def test_lines_without_a_place_are_told(read):
@@ -287,8 +286,8 @@ def test_points_with_breaks_are_curves(read, between):
 
 def test_points_section_by_section_are_curves(read):
     rows = [(x, y, y * y) for x in (0, 1, 2, 4) for y in (0, 1, 2)]
-    found = read("\n".join("{} {} {}".format(*row) for row in rows), "txt")
-    assert [curve.points[0, 0] for curve in found.curves] == [0, 1, 2, 4]
+    text = "\n".join("{} {} {}".format(*row) for row in rows)
+    assert [curve.points[0, 0] for curve in read(text, "txt").curves] == [0, 1, 2, 4]
 
 
 def test_points_in_no_order_are_not_split(read, monkeypatch):
