@@ -153,6 +153,12 @@ def test_what_is_left_out_is_told(read):
     )
 
 
+def test_texts_of_blocks_count(read, monkeypatch):
+    monkeypatch.setattr("hull_io.geometry.dxf.MAX_GEOMETRY_POINTS", 5000)
+    with pytest.raises(hull_io.HullFileError, match="there is more than is read"):
+        read(texts_of_blocks(100))
+
+
 def endless():
     blocks = [["BLOCK", (2, "a")], ["INSERT", (2, "a")], ["INSERT", (2, "a")], ["ENDBLK"]]
     return dxf(["INSERT", (2, "a")], blocks=blocks)
@@ -181,7 +187,6 @@ def texts_of_blocks(count):
         (dxf(["TEXT", (1, "a")]), "no line, polyline"),
         (endless(), "without end"),
         (texts_of_blocks(1), "blocks are inserted more than 100000 times"),
-        (texts_of_blocks(100), "more than is read"),
         (dxf(["INSERT", (2, "a"), (70, 5000)], blocks=[["BLOCK", (2, "a")]]), "repeats"),
     ],
 )
