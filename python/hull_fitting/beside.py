@@ -33,7 +33,8 @@ bend_shares, end_to_end, foot_on, lengths_along, points_at, where_x_is = _beside
 guess_hull, oriented, placed_views = _beside(
     "hull_io.geometry", "guess_hull", "oriented", "placed_views"
 )
-Flat, HullData, Kept, Layer, Particulars, edge_key = _beside(
-    "hull_io.hull_data", "Flat", "HullData", "Kept", "Layer", "Particulars", "edge_key"
+Flat, HullData, Kept, Particulars, edge_key, shell_and_transom = _beside(
+    "hull_io.hull_data",
+    *("Flat", "HullData", "Kept", "Particulars", "edge_key", "shell_and_transom"),
 )
 normals_of, spread_points = _beside("hull_io.triangles", "normals_of", "spread_points")

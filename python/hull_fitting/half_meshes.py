@@ -15,6 +15,8 @@ from .triangle_edges import components, edge_table
 _WELD, _TO_CENTRE_PLANE = 1e-6, 1e-5
 # What a triangle's normal tells of what is outside: outwards is to port and downwards.
 _DOWNWARDS = 0.3
+# Faces of CAD files are a few thousand pieces; each is held against each.
+_MOST_PIECES = 20_000
 
 
 @dataclass(frozen=True)
@@ -41,6 +43,8 @@ def half_mesh(geometry):
         [mesh.triangles + first for mesh, first in zip(geometry.meshes, firsts)]
     )
     length = float(np.ptp(points[:, 0]))
+    if not length > 0.0:
+        raise ValueError(f"{geometry.name}: its surface has no length; give a mesh of a hull.")
     points, triangles = _welded(points, triangles, _WELD * length)
     points = np.where(
         (np.abs(points) < _TO_CENTRE_PLANE * length) & [False, True, False], 0.0, points
@@ -49,7 +53,17 @@ def half_mesh(geometry):
     _, areas = normals_of(points, triangles)
     is_central = (points[triangles][:, :, 1] == 0.0).all(axis=1)
     triangles = triangles[(areas > 1e-14 * length**2) & ~is_central]
-    triangles = _outwards(points, triangles)
+    if not len(triangles):
+        raise ValueError(
+            f"{geometry.name}: none of its triangles has an area beside the centre plane; give a "
+            "mesh of the hull's surface."
+        )
+    triangles, count = _outwards(points, triangles)
+    if count > _MOST_PIECES:
+        raise ValueError(
+            f"{geometry.name}: its surface is in {count} pieces without common edges; join them, "
+            "as by welding their points, or give one surface."
+        )
     return HalfMesh(points, triangles, length)
 
 
@@ -104,7 +118,8 @@ def clipped(points, triangles, axis, place, keep_above=True):
 
 
 def _outwards(points, triangles):
-    """Pieces within which triangles run alike are turned as a whole."""
+    """(triangles, how many pieces they are in): those within which triangles run alike are turned
+    as a whole."""
     table = edge_table(triangles)
     inner = table.counts == 2
     ends, owners = table.ends[inner], table.owners[inner]
@@ -113,7 +128,8 @@ def _outwards(points, triangles):
     normals, areas = normals_of(points, triangles)
     told = areas * (normals[:, 1] - _DOWNWARDS * normals[:, 2])
     is_inwards = np.bincount(piece, told)[piece] < 0.0
-    return np.where(is_inwards[:, None], triangles[:, ::-1], triangles)
+    count = components(len(triangles), table.owners[table.counts > 1]).max() + 1
+    return np.where(is_inwards[:, None], triangles[:, ::-1], triangles), int(count)
 
 
 def _runs_along(triangles, ends):

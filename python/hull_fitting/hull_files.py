@@ -3,10 +3,10 @@
 
 import numpy as np
 
-from .beside import Flat, HullData, Kept, Layer, Particulars, edge_key
+from .beside import Flat, HullData, Kept, Particulars, edge_key, shell_and_transom
 
-_SHELL = Layer("Shell", True, (0.55, 0.17, 0.14))
-_TRANSOM = Layer("Transom", True, (0.7, 0.7, 0.68))
+# Parts of a face, along its sides, of which the surface's extents are taken.
+_PARTS = 8
 # Of the length: points of a row are of one x.
 _ONE_X = 2e-3
 
@@ -31,7 +31,7 @@ def hull_data(fitted, name, source, particulars):
         faces=[list(face) for face in mesh.faces],
         creases=sorted(edge_key(*edge) for edge in mesh.creases),
         half=True,
-        layers=[_SHELL, _TRANSOM],
+        layers=shell_and_transom(),
         face_layers=face_layers,
         particulars=particulars,
         deck_edge=sorted(deck),
@@ -56,8 +56,10 @@ def station_points(fitted):
     return sorted(set(int(n) for n in found))
 
 
-def particulars_of(guess_length_pp, points, draft):
-    """Particulars of a half hull's points (n, 3), m."""
+def particulars_of(guess_length_pp, surface, draft):
+    """Particulars of a half hull, m; beam and depth are those of its LimitSurface, beyond which
+    control points lie."""
+    points = np.asarray(surface.tessellate(_PARTS).points)
     return Particulars(
         length_pp=float(guess_length_pp),
         beam=2.0 * float(points[:, 1].max()),

@@ -73,7 +73,7 @@ def hull_from_geometry(
         fitted,
         name or _name_of(geometry.name),
         f"fitted to {geometry.name}",
-        particulars_of(guess.length_pp, fitted.fit.points, draft),
+        particulars_of(guess.length_pp, fitted.surface, draft),
     )
     return MadeHull(data, report, shell, fitted, guess)
 

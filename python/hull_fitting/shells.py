@@ -8,7 +8,7 @@ import numpy as np
 from .beside import normals_of, spread_points
 from .borders import bodies
 from .half_meshes import HalfMesh
-from .triangle_edges import components, edge_table
+from .triangle_edges import components, edge_table, members
 
 # Patches end at edges where normals turn by more, degrees.
 _SHARP = 35.0
@@ -46,8 +46,7 @@ def hull_shell(mesh):
     patch = _patches(mesh, normals)
     top = _Tops(mesh)
     kept, ends, deck_area = np.ones(len(mesh.triangles), dtype=bool), {}, 0.0
-    for number in range(patch.max() + 1):
-        which = np.flatnonzero(patch == number)
+    for which in members(patch):
         if _is_deck(mesh, which, normals, areas, top):
             kept[which] = False
             deck_area += float(areas[which].sum())
@@ -67,9 +66,10 @@ def _without_appendages(mesh):
     body = bodies(mesh.points, mesh.triangles, _SEAM * mesh.length)
     _, areas = normals_of(mesh.points, mesh.triangles)
     wholes = np.bincount(body, areas)
-    kept, told = np.ones(len(body), dtype=bool), []
-    for number in np.flatnonzero(np.arange(len(wholes)) != wholes.argmax()):
-        which = body == number
+    kept, told, main = np.ones(len(body), dtype=bool), [], wholes.argmax()
+    for number, which in enumerate(members(body)):
+        if number == main:
+            continue
         low, high = _box(mesh, which)
         if high[0] - low[0] > _SHORT * mesh.length or wholes[number] > _SMALL * wholes.max():
             continue
@@ -128,9 +128,9 @@ def _end_of(mesh, which, normals, areas):
     normal /= np.linalg.norm(normal)
     if np.abs((corners - place) @ normal).max() > _PLANE * mesh.length:
         return None
-    low, high = mesh.points[:, 0].min(), mesh.points[:, 0].max()
     if abs(normal[1]) > _ATHWART or areas[which].sum() < _LEAST_END * mesh.length**2:
         return None
+    low, high = mesh.points[:, 0].min(), mesh.points[:, 0].max()
     for name, away in (("aft", place[0] - low), ("forward", high - place[0])):
         if away < _AT_END * mesh.length:
             return name, float(areas[which].sum()), (place, normal)
@@ -140,16 +140,15 @@ def _end_of(mesh, which, normals, areas):
 def _without_doubles(mesh, normals, areas):
     """Without pieces that lie on a larger one."""
     table = edge_table(mesh.triangles)
-    piece = components(len(mesh.triangles), table.owners[table.counts > 1])
-    members = [np.flatnonzero(piece == number) for number in range(piece.max() + 1)]
-    members.sort(key=lambda which: areas[which].sum())
-    boxes = [_box(mesh, which) for which in members]
+    pieces = members(components(len(mesh.triangles), table.owners[table.counts > 1]))
+    pieces.sort(key=lambda which: areas[which].sum())
+    lows, highs = np.array([_box(mesh, which) for which in pieces]).transpose(1, 0, 2)
     kept = np.ones(len(mesh.triangles), dtype=bool)
     reach = _DOUBLE * mesh.length
-    for i, small in enumerate(members):
-        for k in range(i + 1, len(members)):
-            is_within = (boxes[i][0] > boxes[k][0] - reach) & (boxes[i][1] < boxes[k][1] + reach)
-            if is_within.all() and _lies_on(mesh, small, members[k], normals, reach):
+    for i, small in enumerate(pieces):
+        is_within = (lows[i] > lows[i + 1 :] - reach) & (highs[i] < highs[i + 1 :] + reach)
+        for k in np.flatnonzero(is_within.all(axis=1)) + i + 1:
+            if _lies_on(mesh, small, pieces[k], normals, reach):
                 kept[small] = False
                 break
     return mesh.kept(kept), normals[kept], areas[kept]

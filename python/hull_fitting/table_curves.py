@@ -172,9 +172,11 @@ def _closings(found, stations):
     the order of `stations` from that end; None where the hull ends flat."""
     tolerance = 1e-6 * found.length
     breadth = max(station.points[:, 1].max() for station in found.stations)
-    step = abs(stations[1].x - stations[0].x)
-    lines = [[(s.x, s.at_height(z, tolerance), z) for s in stations] for z in found.levels]
-    lines.append([(s.x, float(s.points[-1, 1]), float(s.points[-1, 2])) for s in stations])
+    pieces_at = _by_x(stations, tolerance)
+    step = abs(pieces_at[:2][-1][0].x - pieces_at[0][0].x)
+    lines = [[(p[0].x, _breadth(p, z, tolerance), z) for p in pieces_at] for z in found.levels]
+    tops = [max(pieces, key=lambda piece: piece.points[-1, 2]) for pieces in pieces_at]
+    lines.append([(s.x, float(s.points[-1, 1]), float(s.points[-1, 2])) for s in tops])
     places, reaches = [], []
     for line in lines:
         first = next((i for i, (_, y, _) in enumerate(line) if y is not None and y > 0.0), None)
@@ -197,6 +199,22 @@ def _closings(found, stations):
     if reaches and np.median(reaches) > _CLOSES * step:
         return None
     return places or None
+
+
+def _by_x(stations, tolerance):
+    """The pieces of each station: at a bulb drawn ones have two at one x."""
+    found = []
+    for station in stations:
+        if found and abs(found[-1][0].x - station.x) <= tolerance:
+            found[-1].append(station)
+        else:
+            found.append([station])
+    return found
+
+
+def _breadth(pieces, z, tolerance):
+    found = [piece.at_height(z, tolerance) for piece in pieces]
+    return max((y for y in found if y is not None), default=None)
 
 
 def _closing(known, beyond, step):

@@ -50,6 +50,12 @@ def components(count, pairs):
     return np.unique(label, return_inverse=True)[1]
 
 
+def members(numbers):
+    """For each number from 0 where in `numbers` (n,) it stands, rising."""
+    order = np.argsort(numbers, kind="stable")
+    return np.split(order, np.cumsum(np.bincount(numbers))[:-1])
+
+
 def edge_lines(edges):
     """Lists of point numbers along edges (k, 2): lines that end where other than two edges meet,
     and rings, whose last number is their first."""

@@ -253,6 +253,11 @@ def face_edges(face):
     return zip(face, face[1:] + face[:1])
 
 
+def shell_and_transom():
+    """The layers of a hull that is made here: new ones each time, for they may be changed."""
+    return [Layer("Shell", True, (0.55, 0.17, 0.14)), Layer("Transom", True, (0.7, 0.7, 0.68))]
+
+
 def edge_key(a, b):
     """An edge's name, the same in both directions."""
     return (a, b) if a < b else (b, a)

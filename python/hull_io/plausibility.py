@@ -121,8 +121,9 @@ def _about_units(particulars):
 
 def _about_dimensions(particulars, half, found, waterline):
     least, most = LENGTHS
-    if waterline is not None:
-        floating = LEAST_OF_WATERLINE * waterline / max(found.length, waterline)
+    longest = max(found.length, waterline or 0.0)
+    if waterline is not None and longest > 0.0:
+        floating = LEAST_OF_WATERLINE * waterline / longest
         least = min(least, max(LEAST_LENGTH, floating))
     far = []
     for name, title, (least, most), extent in (

@@ -46,8 +46,15 @@ def _cells(line, separator):
         parts = line.split()
     else:
         parts = _split(line, separator)
-    cells = [part.strip().strip("\"'") for part in parts]
+    cells = [_unquoted(part.strip()) for part in parts]
     return cells if separator == "," else [re.sub(r"(\d),(\d)", r"\1.\2", cell) for cell in cells]
+
+
+def _unquoted(cell):
+    """A quote at the end alone is the mark of feet or inches."""
+    while len(cell) > 1 and cell[0] == cell[-1] and cell[0] in "\"'":
+        cell = cell[1:-1]
+    return cell
 
 
 def _split(line, separator):

@@ -15,6 +15,7 @@ import pytest
 from hull_fitting import hull_from_geometry, station_overlays
 from hull_fitting.borders import without_spurs
 from hull_fitting.half_meshes import clipped, half_mesh
+from hull_fitting.hull_files import particulars_of
 from hull_fitting.immersion import immersed
 from hull_fitting.keel_strips import closed_to_centre
 from hull_fitting.outlines import shell_outline
@@ -170,6 +171,18 @@ def test_a_shell_that_ends_beside_the_centre_plane_is_closed_to_it():
     assert not (normals[:, 2] > 0.9).any()
     whole = half_mesh(geometry_of(*box()))
     assert closed_to_centre(whole) == (whole, 0.0)
+
+
+def test_beam_and_depth_are_of_the_surface():
+    """And not of control points, between which a round hull lies."""
+    surface, data = sample("sailing_yacht")
+    found = particulars_of(10.0, surface, 1.2)
+    high = np.max(surface.tessellate(32).points, axis=0)
+    # Chords of 8 parts of a face miss a 64th of the fullness of one, or less.
+    assert found.beam == pytest.approx(2.0 * high[1], rel=1e-4)
+    assert found.depth == pytest.approx(high[2], rel=1e-4)
+    assert 2.0 * data.points[:, 1].max() > 1.002 * found.beam
+    assert (found.length_pp, found.draft) == (10.0, 1.2)
 
 
 def test_what_is_no_hull_is_refused():

@@ -13,7 +13,8 @@ from hull_fitting.conic_pieces import between
 from hull_fitting.lofting import lofted
 from hull_fitting.smooth_lines import line_through, runs
 from hull_fitting.table_curves import table_curves
-from hull_io.geometry import guess_hull, oriented, placed_views, read_geometry
+from hull_io.geometry import Geometry, guess_hull, oriented, placed_views, read_geometry
+from hull_io.geometry.values import polyline
 from hull_io.triangles import spread_points
 from test_hulls_from_geometry import sample, triangles_of
 
@@ -110,6 +111,26 @@ def test_a_table_tells_the_stem_by_its_waterlines(tmp_path):
     assert (
         np.sqrt(np.mean(apart**2)) < 2e-3 * curves.length and apart.max() < 1e-2 * curves.length
     )
+
+
+def test_a_bulb_drawn_apart_at_the_last_station():
+    """Two pieces at one x, of more points than a table has; the stem is drawn on from the upper."""
+    t = np.linspace(0.0, 1.0, 80)
+
+    def hull(with_bulb):
+        curves = [
+            polyline(np.stack([0 * t + x, (6.0 - 0.1 * x) * np.sqrt(t), 2.0 + 8.0 * t], axis=1),
+                     kind="station")
+            for x in range(0, 55, 10)
+        ]  # fmt: skip
+        bulb = np.stack([0 * t + 50.0, np.sin(np.pi * t), 0.5 - 0.5 * np.cos(np.pi * t)], axis=1)
+        curves += [polyline(bulb, kind="station")] if with_bulb else []
+        return Geometry("bulb", "DXF", "m", tuple(curves), is_half=True, on_ship_axes=True)
+
+    alone, found = table_curves(hull(False)), table_curves(hull(True))
+    assert [station.x for station in found.stations].count(50.0) == 2
+    np.testing.assert_array_equal(found.profile[-1], alone.profile[-1])
+    assert found.profile[-1, 0] > 50.0
 
 
 @pytest.mark.parametrize(

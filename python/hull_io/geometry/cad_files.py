@@ -12,7 +12,9 @@ import subprocess
 import sys
 import tempfile
 import threading
+import zlib
 from pathlib import Path
+from zipfile import BadZipFile
 
 import numpy as np
 
@@ -52,7 +54,9 @@ def read_cad(path, chord_share, progress=None):
         try:
             with np.load(output, allow_pickle=False) as archive:
                 return _geometry(dict(archive), path.name)
-        except (OSError, KeyError, ValueError, EOFError) as error:
+        except HullFileError:
+            raise
+        except (OSError, KeyError, ValueError, EOFError, BadZipFile, zlib.error) as error:
             raise HullFileError(
                 f"{path.name}: what was read of it can't be used ({error}); {_REMEDY}."
             ) from error

@@ -45,7 +45,7 @@ class _Reader:
     def __init__(self, name, blocks):
         self.name, self.blocks = name, blocks
         self.curves, self.points, self.faces = [], [], {}
-        self.others, self.count = Counter(), 0
+        self.others, self.count, self.copies = Counter(), 0, 0
 
     def add_all(self, records, placement, depth, layer):
         for record in records:
@@ -82,10 +82,13 @@ class _Reader:
             self.faces.setdefault(layer, []).append(placement.points(value))
             self._hold(record, value)
 
-    def _hold(self, record, points):
-        self.count += len(points)
+    def _count(self, record, more):
+        self.count += more
         if self.count > MAX_GEOMETRY_POINTS or len(self.curves) > MAX_GEOMETRY_CURVES:
             raise DxfError(f"line {record.line}: there is more than is read")
+
+    def _hold(self, record, points):
+        self._count(record, len(points))
         if not np.abs(points).max() <= FURTHEST_POINT:
             raise DxfError(
                 f"line {record.line}: {record.type} lies further than {FURTHEST_POINT:.0f} from "
@@ -102,13 +105,22 @@ class _Reader:
         columns, rows = (max(1, record.flags(code)) for code in (70, 71))
         if columns * rows > 1000:
             raise DxfError(f"line {record.line}: INSERT repeats a block {columns * rows} times")
-        self.count += 1
-        self._hold(record, np.zeros((1, 3)))
+        self._count(record, 2)
         inner = placement.inserted(record, block)
         for row in range(rows):
             for column in range(columns):
+                self._hold_copies(record, block)
                 shift = (column * record.number(44), row * record.number(45), 0.0)
                 self.add_all(block.parts, inner.shifted(shift), depth + 1, layer)
+
+    def _hold_copies(self, record, block):
+        """Blocks of texts alone draw nothing, and take their time all the same."""
+        self.copies += 1
+        self._count(record, len(block.parts))
+        if self.copies > MAX_GEOMETRY_CURVES:
+            raise DxfError(
+                f"line {record.line}: blocks are inserted more than {MAX_GEOMETRY_CURVES} times"
+            )
 
     def meshes(self):
         meshes = []

@@ -90,6 +90,8 @@ def _point(record):
 
 def _face(record):
     corners = [_place(record, 10 + k, 20 + k, 30 + k) for k in range(4)]
+    if not any(record.numbers(code) for code in (13, 23, 33)):
+        corners[3] = corners[2]  # three corners alone may be written
     return "face", np.array(corners)
 
 

@@ -90,6 +90,12 @@ class _Station:
 def _take(table, station, offset):
     line, value = offset.line, table.in_unit(offset.value)
     if line.kind in ("waterline", "buttock") and line.position is None:
+        what = "height" if line.kind == "waterline" else "distance from the centre line"
+        table.leave_out(f"'{line.text[:80]}' has no {what} in its heading")
+        return
+    if line.kind in ("stem", "stern"):
+        # A point of it lies at its own x, and not at that of a station.
+        table.leave_out(f"'{line.text[:80]}' has no x beside it, as in 'Stem: x'")
         return
     if line.kind == "waterline":
         z = _line_position(table, line, "waterline spacing")
@@ -122,8 +128,14 @@ def _line_position(table, line, spacing):
 def _station_positions(table, name):
     """x by the station's text. HullFileError where stations have numbers alone."""
     texts = list(dict.fromkeys(offset.station.text for offset in table.offsets))
-    if all(text in table.positions for text in texts):
+    missing = [text for text in texts if text not in table.positions]
+    if not missing:
         return {text: table.in_unit(table.positions[text]) for text in texts}
+    if len(missing) < len(texts):
+        raise HullFileError(
+            f"{name}: station '{missing[0][:40]}' has no x and others have one; give the x of each "
+            "station, or of none."
+        )
     numbers = {text: table.station_headings[text].position for text in texts}
     for text, number in numbers.items():
         if number is None:

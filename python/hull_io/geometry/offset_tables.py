@@ -10,12 +10,13 @@ corner that names them. Lines such as "unit: mm" or "station spacing: 4.2 m" may
 import re
 from collections import Counter
 from dataclasses import dataclass, field
+from functools import cached_property
 
 from ..errors import HullFileError
 from ..limits import FURTHEST_POINT, MAX_OFFSETS
 from ..table_text import table_rows
 from .lengths import Length, is_nothing, length_in, unit_named
-from .table_headings import Heading, block_of, heading_of
+from .table_headings import Heading, block_of, has_other_datum, heading_of, is_title
 from .values import METRES_PER_UNIT
 
 _SETTING = re.compile(
@@ -38,22 +39,24 @@ class Offset:
 @dataclass
 class OffsetTable:
     """positions: x by the station's text, where a column or row tells it. settings: by their names.
-    knuckles: (station's text, what is said to be on a knuckle). left_out: sentences."""
+    knuckles: (station's text, what is said to be on a knuckle). left_out: sentences, each once, as
+    keys. Of units once all is read."""
 
     offsets: list = field(default_factory=list)
     positions: dict = field(default_factory=dict)
     settings: dict = field(default_factory=dict)
     knuckles: list = field(default_factory=list)
-    left_out: list = field(default_factory=list)
+    left_out: dict = field(default_factory=dict)
     station_headings: dict = field(default_factory=dict)
 
-    @property
+    @cached_property
     def unit(self):
         """That all lengths are turned into: the only one that is told, metres where there are
         several; None where none is."""
         told = {unit for unit in self._told_units() if unit}
         return told.pop() if len(told) == 1 else "m" if told else None
 
+    @cached_property
     def default_unit(self):
         """Of lengths that tell none: as a setting says, else what most others are in."""
         if "unit" in self.settings:
@@ -61,11 +64,14 @@ class OffsetTable:
         told = Counter(unit for unit in self._told_units() if unit)
         return told.most_common(1)[0][0] if told else None
 
+    def leave_out(self, why):
+        self.left_out[f"{why}, and is left out."] = None
+
     def in_unit(self, length):
         unit = self.unit
         if unit is None:
             return length.value
-        own = length.unit or self.default_unit()
+        own = length.unit or self.default_unit
         if own == unit:
             return length.value
         return length.value * METRES_PER_UNIT[own] / METRES_PER_UNIT[unit]
@@ -107,6 +113,7 @@ class _Reader:
         self.table = OffsetTable()
         self.columns, self.corner, self.block = None, None, ""
         self.rows = []  # of the present header: (line, Heading, cells)
+        self.count = 0  # of cells in all rows so far; a row without any counts as one
 
     def error(self, row, problem, remedy):
         return HullFileError(f"{self.name}: line {row}: {problem}; {remedy}.")
@@ -115,9 +122,15 @@ class _Reader:
         for row, cells in rows:
             if self._is_setting(cells):
                 continue
+            if has_other_datum(cells):
+                told = " ".join(cell for cell in cells if cell)[:80]
+                raise self.error(
+                    row, f"'{told}' are not above the base line", "give all heights above that"
+                )
             headings = [self._heading(row, cell) for cell in cells]
             title = block_of(cells)
-            if title and not any(h.is_line or h.position for h in headings):
+            is_bare = not any(h.is_line or h.position for h in headings)
+            if title and (is_bare or is_title(cells)):
                 self._finish()
                 self.block, self.columns = title, None
             elif self._is_header(headings):
@@ -168,8 +181,9 @@ class _Reader:
         )
 
     def _add_row(self, row, heading, cells):
-        if sum(len(cells) for _, _, cells in self.rows) + len(self.table.offsets) > MAX_OFFSETS:
+        if self.count > MAX_OFFSETS:
             raise self.error(row, f"there are more than {MAX_OFFSETS} values", "leave some out")
+        self.count += max(1, len(cells))
         self.rows.append((row, heading, cells))
 
     def _finish(self):
@@ -212,8 +226,8 @@ class _Reader:
             )
             line = Heading(line.kind, line.text, line.position, what, line.unit)
             self.table.offsets.append(Offset(station, line, value, row))
-        elif line.text and not any(f"'{line.text}'" in told for told in self.table.left_out):
-            self.table.left_out.append(f"'{line.text}' is no line that is known, and is left out.")
+        elif line.text:
+            self.table.leave_out(f"'{line.text}' is no line that is known")
 
     def _value(self, row, line, cell):
         try:
@@ -233,10 +247,16 @@ class _Reader:
         return value
 
     def _stations_are_rows(self):
-        if any(h.is_line for h in self.columns):
-            return True
         labels = [heading for _, heading, _ in self.rows]
-        if any(label.is_line for label in labels) or self.corner.kind in ("waterline", "buttock"):
+        # Beside a corner that says so, "Stem" and "Transom" are stations.
+        ends = ("stem", "stern")
+        in_columns = ends if self.corner.kind in ("waterline", "buttock") else ()
+        in_rows = ends if self.corner.kind in ("station", "x") else ()
+        if any(h.is_line and h.kind not in in_columns for h in self.columns):
+            return True
+        if any(label.is_line and label.kind not in in_rows for label in labels):
+            return False
+        if self.corner.kind in ("waterline", "buttock"):
             return False
         if self.corner.kind == "x" or any(label.kind == "station" for label in labels):
             return True

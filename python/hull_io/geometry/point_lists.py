@@ -71,8 +71,8 @@ def _plain_points(text):
         numbers = np.array(text.split(), dtype=float)
     except ValueError:
         return None
-    lines = text.strip().count("\n") + 1
-    return numbers.reshape(-1, 3) if len(numbers) == 3 * lines else None
+    lines = text.strip().split("\n")
+    return numbers.reshape(-1, 3) if {len(line.split()) for line in lines} == {3} else None
 
 
 def _runs(text, name):
@@ -111,7 +111,8 @@ def _sections(points):
     """Runs of points that have one coordinate the same; None where the list isn't made so."""
     for axis in range(3):
         ends = np.flatnonzero(np.diff(points[:, axis]) != 0.0) + 1
-        runs = np.split(points, ends)
-        if len(runs) >= _LEAST_SECTIONS and min(map(len, runs)) >= _LEAST_IN_SECTION:
-            return runs
+        # Of points in no order nearly each is a run of its own, which is dear to split.
+        counts = np.diff(ends, prepend=0, append=len(points))
+        if len(counts) >= _LEAST_SECTIONS and counts.min() >= _LEAST_IN_SECTION:
+            return np.split(points, ends)
     return None

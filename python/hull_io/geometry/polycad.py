@@ -12,7 +12,8 @@ import re
 import numpy as np
 
 from ..errors import HullFileError
-from ..limits import FURTHEST_POINT, MAX_COUNT
+from ..limits import FURTHEST_POINT, MAX_COUNT, MAX_GEOMETRY_POINTS
+from ..table_text import number_in
 from .splines import Spline
 from .values import Geometry, GeometryMesh
 
@@ -29,9 +30,19 @@ def read_polycad(text, name):
     """The Geometry of a file: a GeometryMesh on each surface. HullFileError with the line."""
     lines = text.splitlines()
     starts = [k for k, line in enumerate(lines) if line.strip() in _SURFACES]
-    meshes = []
+    if not starts:
+        raise HullFileError(
+            f"{name}: no line begins a surface, such as '[TShipLines]' alone; use another copy."
+        )
+    meshes, count = [], 0
     for number, start in enumerate(starts, 1):
         degrees, grid = _surface(lines, start, name)
+        count += int(np.prod([_places(n, degree) for n, degree in zip(grid.shape, degrees)]))
+        if count > MAX_GEOMETRY_POINTS:
+            raise HullFileError(
+                f"{name}: line {start + 1}: its surfaces up to here have more than "
+                f"{MAX_GEOMETRY_POINTS} places; write fewer, or with fewer points."
+            )
         about = {"name": f"surface {number}", "group": lines[start].strip(" []")}
         meshes.append(_mesh(degrees, grid, about))
     return Geometry(name, "PolyCAD", "m", meshes=tuple(meshes), on_ship_axes=True)
@@ -60,7 +71,13 @@ def _surface(lines, start, name):
                 f"{name}: line {row + 1}: {count_u} times {count_v} points are announced, and "
                 f"{len(points)} are there; use another copy."
             )
-        points.append([float(word) for word in lines[row].split()[:3]])
+        point = [number_in(word) for word in lines[row].split()[:3]]
+        if None in point:
+            raise HullFileError(
+                f"{name}: line {row + 1}: '{lines[row].strip()[:40]}' is no point; write x, y and "
+                "z as '12.5 3.0 1.2'."
+            )
+        points.append(point)
     grid = np.array(points).reshape(count_u, count_v, 3)
     if not (np.abs(grid) <= FURTHEST_POINT).all():
         raise HullFileError(f"{name}: a point near line {k + 1} can't be a ship's; mend it.")
@@ -91,12 +108,17 @@ def _mesh(degrees, grid, about):
     return GeometryMesh(places.reshape(-1, 3), triangles, is_exact=False, **about)
 
 
+def _places(count, degree):
+    """How many along a curve of so many control points."""
+    return _PARTS * (count - degree) + 1
+
+
 def _curves(degree, points):
     """Places (m, k, 3) on the k curves of control points (n, k, 3)."""
     n = len(points)
     inner = np.arange(n - degree + 1.0)
     knots = np.concatenate([np.full(degree, inner[0]), inner, np.full(degree, inner[-1])])
-    at = np.linspace(inner[0], inner[-1], _PARTS * (len(inner) - 1) + 1)
+    at = np.linspace(inner[0], inner[-1], _places(n, degree))
     ones = np.ones(n)
     return np.stack(
         [Spline(degree, knots, points[:, k], ones).evaluate(at) for k in range(points.shape[1])],

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Opening a file of any format that geometry is read of."""
 
+import gzip
+import io
 import zlib
 from pathlib import Path
 
@@ -69,12 +71,15 @@ def is_geometry(data, ending):
 
 
 def _unpacked(data, name):
-    unpacker = zlib.decompressobj(wbits=16 + zlib.MAX_WBITS)
+    """Of all members of a packed file, one after the other."""
     try:
-        unpacked = unpacker.decompress(data, MAX_GEOMETRY_BYTES + 1)
-    except zlib.error as error:
+        unpacked = gzip.GzipFile(fileobj=io.BytesIO(data)).read(MAX_GEOMETRY_BYTES + 1)
+        is_whole = len(unpacked) <= MAX_GEOMETRY_BYTES
+    except EOFError:
+        is_whole = False
+    except (OSError, zlib.error) as error:
         raise HullFileError(f"{name}: it is damaged; use another copy.") from error
-    if len(unpacked) > MAX_GEOMETRY_BYTES or not unpacker.eof:
+    if not is_whole:
         raise HullFileError(
             f"{name}: unpacked it is cut short or larger than is read; use another copy, or write "
             "fewer triangles."

@@ -25,6 +25,23 @@ _KINDS = (
         r"\b(?:stations?|sta\.?|st\.?|sections?|frames?|fr\.?|ordinates?|ord\.?)(?=\W|\d|$)",
     ),
 )
+# "Above BL", "from the centre line", "above WL 0": where a length is measured from, which names no
+# line.
+_DATUM = re.compile(
+    r"\b(?:above|over|from)\s+(?:the\s+)?"
+    r"(?:b\.?l\.?|base\s?line|c\.?l\.?|cent(?:re|er)\s?line|w\.?l\.?|water\s?line)"
+    r"(?:\s*0+(?:\.0*)?(?:\s*(?:mm|cm|m|ft|in)\b)?)?(?!\w|\s*[-+.]?\d)"
+)
+# "Heights above WL 1": from where z = 0 is not.
+_OTHER_DATUM = re.compile(
+    r"heights?\b.*\b(?:above|over|from)\s+(?:the\s+)?(?:w\.?l\.?|water\s?line|base\s?line)"
+    r"\s*[-+.]?\d[^;,\t]*"
+)
+# In a title: all lines of a kind, none of which has a number.
+_ALL_LINES = re.compile(
+    r"\b(?:on|at|of|along|for)\s+(?:the\s+)?(?:buttocks?(?:\s?lines)?|water\s?lines?|w\.?l\.?s?)"
+    r"(?=\W|$)|^\s*(?:buttocks?|water\s?lines?)(?=\s+(?:half|breadth|height))"
+)
 _BREADTH = re.compile(r"half|breadth|width|beam|\bhb\b|\by\b|offset")
 _HEIGHT = re.compile(r"height|\bht\b|\bhgt\b|\bz\b|above")
 
@@ -55,12 +72,13 @@ def heading_of(cell):
     alone = length_in(bare)
     if alone is not None:
         return Heading("number", text, alone, unit=unit)
-    kind = next((kind for kind, pattern in _KINDS if re.search(pattern, bare)), "")
+    named = _DATUM.sub(" ", bare)
+    kind = next((kind for kind, pattern in _KINDS if re.search(pattern, named)), "")
     what = "half_breadth" if _BREADTH.search(bare) else "height" if _HEIGHT.search(bare) else ""
     position = None
     if kind in ("waterline", "buttock", "station"):
         # After the word itself: "2 m WL" is as usual as "WL 2 m", but numbers in names are not.
-        found = re.search(_NUMBER, bare)
+        found = re.search(_NUMBER, named)
         position = length_in(found[0]) if found else None
     return Heading(kind, text, position, what, unit)
 
@@ -68,9 +86,28 @@ def heading_of(cell):
 def block_of(cells):
     """ "half_breadth" or "height" where a line without numbers is the title of such a block; ""
     elsewhere."""
-    words = " ".join(cells).lower()
+    words = _DATUM.sub(" ", " ".join(cells).lower())
     if re.search(r"\d", words):
         return ""
     if re.search(r"half[- ]?breadth|half[- ]?width|breadths", words):
         return "half_breadth"
     return "height" if re.search(r"heights?", words) else ""
+
+
+def is_title(cells):
+    """Whether a line is the title of a block and names no single line, nor columns: "Heights above
+    BL", "Half-breadths on waterlines"."""
+    filled = [cell for cell in cells if cell]
+    if not block_of(filled) or len(filled) > 1 and any(" " in cell for cell in filled):
+        return False
+    words = _ALL_LINES.sub(" ", _DATUM.sub(" ", " ".join(filled).lower()))
+    heading = heading_of(words)
+    return not heading.is_line and heading.position is None
+
+
+def has_other_datum(cells):
+    """Whether a line is the title of heights that are not measured from the base line."""
+    filled = [cell for cell in cells if cell]
+    if len(filled) > 1 and any(" " in cell for cell in filled):
+        return False
+    return _OTHER_DATUM.fullmatch(_DATUM.sub(" ", " ".join(filled).lower())) is not None

@@ -5,11 +5,8 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from ..hull_data import Flat, HullData, Layer, Particulars, edge_key, face_edges
+from ..hull_data import Flat, HullData, Particulars, edge_key, face_edges, shell_and_transom
 from . import splines
-
-_SHELL = Layer("Shell", True, (0.55, 0.17, 0.14))
-_TRANSOM = Layer("Transom", True, (0.7, 0.7, 0.68))
 
 
 @dataclass
@@ -109,7 +106,7 @@ def hull_of(grid, dimensions, name, source):
         faces=builder.faces,
         creases=sorted(builder.creases),
         half=True,
-        layers=[replace(_SHELL), replace(_TRANSOM)],
+        layers=shell_and_transom(),
         face_layers=builder.face_layers,
         particulars=Particulars(
             length_pp=dimensions.length,

@@ -39,6 +39,24 @@ def test_what_people_write_is_read(text):
 
 
 @pytest.mark.parametrize(
+    "heading, x_size, area_size",
+    [
+        ("x from AP [m],area [m2]", 1.0, 1.0),
+        ("x from AP [ft],area [ft2],centroid y [ft]", 0.3048, 0.3048**2),
+        ("x (mm),area (m²)", 1e-3, 1.0),
+        ("Place [ft],Spantfläche [ft2]", 0.3048, 0.3048**2),
+        ("x (from AP),area (immersed)", 1.0, 1.0),
+        ("x (AP),area", 1.0, 1.0),
+    ],
+)
+def test_units_of_headings(heading, x_size, area_size):
+    rows = "".join(f"{x},{a},0\n" for x, a in zip(X, AREAS))
+    x, areas = parsed(f"{heading}\n{rows}")
+    assert x == [value * x_size for value in X]
+    assert areas == [value * area_size for value in AREAS]
+
+
+@pytest.mark.parametrize(
     "text, message",
     [
         ("", "0 lines with a place and an area"),
@@ -50,6 +68,8 @@ def test_what_people_write_is_read(text):
         ("0,1\n1e9,2\n2,3\n", "line 2: x is 1e"),
         ("0,1\n1,-2\n2,3\n", "line 2: the area is -2"),
         ("0,1\n1,1e30\n2,3\n", "line 2: the area is 1e"),
+        ("x [in],area [m2]\n0,1\n1,2\n2,1\n", r"line 1: 'x \[in\]' has a unit"),
+        ("x,area (cm2)\n0,1\n1,2\n2,1\n", r"line 1: 'area \(cm2\)' has a unit"),
         ("0,1\n2,2\n1,3\n3,1\n", "line 3: x is 1 m beside 2 m"),
         ("0,1\n1,2\n1,3\n", "line 3: x is 1 m beside 1 m"),
         ("0,0\n1,0\n2,0\n", "all areas are 0"),

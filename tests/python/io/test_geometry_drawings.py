@@ -136,6 +136,13 @@ def test_faces_and_points(read):
     assert len(found.meshes[0].triangles) == 2 and found.points.tolist() == [[7, 8, 9]]
 
 
+def test_faces_of_three_corners(read):
+    face = ["3DFACE", *(p for k in range(3) for p in xyz(10 + k, (1 + k % 2, 2 + k // 2, 3)))]
+    (mesh,) = read(dxf(face)).meshes
+    assert mesh.points.tolist() == [[1, 2, 3], [1, 3, 3], [2, 2, 3]]
+    assert len(mesh.triangles) == 1
+
+
 def test_what_is_left_out_is_told(read):
     found = read(dxf(LINE, ["TEXT", (1, "a")], ["REGION"], ["LINE", (67, 1), *LINE[2:]]))
     assert len(found.curves) == 1
@@ -146,9 +153,23 @@ def test_what_is_left_out_is_told(read):
     )
 
 
+def test_texts_of_blocks_count(read, monkeypatch):
+    monkeypatch.setattr("hull_io.geometry.dxf.MAX_GEOMETRY_POINTS", 5000)
+    with pytest.raises(hull_io.HullFileError, match="there is more than is read"):
+        read(texts_of_blocks(100))
+
+
 def endless():
     blocks = [["BLOCK", (2, "a")], ["INSERT", (2, "a")], ["INSERT", (2, "a")], ["ENDBLK"]]
     return dxf(["INSERT", (2, "a")], blocks=blocks)
+
+
+def texts_of_blocks(count):
+    """A block of texts, inserted a thousandfold by a block that is itself inserted so."""
+    blocks = [["BLOCK", (2, "a")], *[["TEXT", (1, "frame")]] * count, ["ENDBLK"]]
+    for outer, inner in ("ba", "cb"):
+        blocks += [["BLOCK", (2, outer)], ["INSERT", (2, inner), (70, 1000)], ["ENDBLK"]]
+    return dxf(LINE, ["INSERT", (2, "c"), (70, 1000)], blocks=blocks)
 
 
 @pytest.mark.parametrize(
@@ -165,6 +186,7 @@ def endless():
         (dxf(["SPLINE", (71, 3)]), "no points"),
         (dxf(["TEXT", (1, "a")]), "no line, polyline"),
         (endless(), "without end"),
+        (texts_of_blocks(1), "blocks are inserted more than 100000 times"),
         (dxf(["INSERT", (2, "a"), (70, 5000)], blocks=[["BLOCK", (2, "a")]]), "repeats"),
     ],
 )

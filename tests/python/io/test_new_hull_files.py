@@ -33,6 +33,15 @@ def test_hull_files_keep_new_hulls(kind, tmp_path):
     assert sorted(map(tuple, read.deck_edge)) == sorted(hull.deck_edge)
 
 
+def test_layers_of_a_new_hull_are_its_own():
+    each = next(iter(TYPES.values()))
+    lengths = [getattr(each.dimensions, name) for name in ("length", "beam", "draft", "depth")]
+    first, second = (new_hull(next(iter(TYPES)), *lengths, 10, 8) for _ in range(2))
+    assert first.layers == second.layers
+    first.layers[0].name = first.layers[1].name = "Plates"
+    assert [layer.name for layer in second.layers] == ["Shell", "Transom"]
+
+
 @pytest.mark.parametrize("kind", TYPES)
 def test_dimensions_that_no_hull_has_are_named(kind):
     usual = TYPES[kind].dimensions

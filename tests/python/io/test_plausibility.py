@@ -92,6 +92,11 @@ def test_a_classic_yacht_s_overhangs_are_no_doubt():
         assert (doubt.remedy, doubt.takes) == (TAKE, ("length_pp",))
 
 
+def test_a_surface_without_length_or_waterline():
+    (keel,) = doubts(SHIP, True, surface((5.0, 0.0, 1.0), (5.0, 8.0, 9.0)), waterline=0.0)
+    assert keel.remedy == KEEL
+
+
 @pytest.mark.parametrize("keel, where", [(-2.0, "2 m below"), (3.0, "3 m above")])
 def test_a_keel_that_is_not_on_the_base_line(keel, where):
     (doubt,) = doubts(SHIP, True, surface((-3.0, 0.0, keel), (102.0, 8.0, 9.0)))

@@ -4,7 +4,7 @@
 import hull_io
 import numpy as np
 import pytest
-from hull_io.geometry import read_geometry
+from hull_io.geometry import polycad, read_geometry
 
 
 def written(tmp_path, grid, orders=(4, 4), extra=""):
@@ -67,6 +67,10 @@ def test_several_surfaces_are_several_meshes(tmp_path):
         (("NumV=4", "NumV=999999"), "no whole number"),
         (("OrderU=4", "OrderU=1"), "'OrderU=1' is no whole number"),
         (("10.000000000 0.0", "1e30 0.0"), "can't be a ship's"),
+        (("10.000000000 0.0", "1..2 0.0"), "line 14: '1..2 0.0"),
+        (("10.000000000 1.000000000 ", "10.0 1.0 1abc "), "line 15: '10.0 1.0 1abc "),
+        (("10.000000000 1.000000000 ", "10.0 1.0 0,3 "), "line 15: '10.0 1.0 0,3 "),
+        (("[TBSplineSurface]", "[TShipLines] x"), "no line begins a surface"),
     ],
 )
 def test_damaged_files_are_refused(tmp_path, change, words):
@@ -75,3 +79,14 @@ def test_damaged_files_are_refused(tmp_path, change, words):
     with pytest.raises(hull_io.HullFileError) as caught:
         read_geometry(path)
     assert words in str(caught.value) and str(caught.value).startswith("hull.geo")
+
+
+def test_places_of_all_surfaces_are_counted(tmp_path, monkeypatch):
+    """They are 36 times as many as the file has points."""
+    path = written(tmp_path, random_grid(4, 4))
+    path.write_text(path.read_text() + path.read_text())
+    monkeypatch.setattr(polycad, "MAX_GEOMETRY_POINTS", 2 * 49)
+    assert sum(len(mesh.points) for mesh in read_geometry(path).meshes) == 2 * 49
+    monkeypatch.setattr(polycad, "MAX_GEOMETRY_POINTS", 2 * 49 - 1)
+    with pytest.raises(hull_io.HullFileError, match="line 28: its surfaces up to here have more"):
+        read_geometry(path)
