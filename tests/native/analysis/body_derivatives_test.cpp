@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <random>
@@ -128,6 +129,27 @@ TEST(BodyDerivatives, AgreeWithDifferencesOnAShip) {
         }
       }
       check_immersion(surface, !whole, water, shifts);
+    }
+  }
+}
+
+// Rows of control points at even heights have the surface's own rows there: columns of the spans
+// below them end exactly on the water.
+TEST(BodyDerivatives, AgreeWithDifferencesWhereRowsLieOnTheWater) {
+  std::mt19937 random(kDerivativesSeed + 3);
+  RecordProperty("seed", static_cast<int>(kDerivativesSeed + 3));
+  const testing::NaturalHull ship = testing::natural_ship();
+  for (const bool turned : {false, true}) {
+    mesh::MeshArrays mesh = ship.mesh;
+    // Faces begin with another corner, and so the spans' parameters somewhere else.
+    for (std::size_t face = 0; turned && face < mesh.face_sizes.size(); ++face) {
+      const auto first = mesh.face_vertices.begin() + static_cast<std::ptrdiff_t>(4 * face);
+      std::rotate(first, first + 1 + face % 3, first + 4);
+    }
+    surface::LimitSurface surface{mesh::ControlMesh(mesh)};
+    const std::vector<Vector3d>& points = surface.mesh().points();
+    for (const double draft : {1.5, 3.0, 4.5}) {
+      check_immersion(surface, true, upright(draft), random_shifts(random, points.size(), 1.0));
     }
   }
 }
