@@ -8,6 +8,7 @@
 #include <functional>
 #include <random>
 #include <stdexcept>
+#include <string>
 
 #include "analysis/derivatives/form_numbers.h"
 #include "analysis/stations/section_areas.h"
@@ -212,6 +213,34 @@ TEST(BodyDerivatives, SectionsWhereAreasJumpAreRefused) {
     wider += std::copysign(gradient(i, 1), gradient(i, 1) * surface.mesh().points()[i].y());
   }
   EXPECT_NEAR(wider, 2.0, 1e-12);
+}
+
+// Broadest at its open end, or at a flat there: nobody chose that station.
+TEST(FormNumbers, SayThatTheLargestSectionIsATransom) {
+  mesh::MeshArrays wedge = testing::creased_box(10.0, 4.0, 3.0);
+  for (Vector3d& p : wedge.points) p.y() *= 1.0 - 0.05 * p.x();
+  mesh::MeshArrays open = wedge;
+  // Without the face at x = 0.
+  open.face_sizes.erase(open.face_sizes.begin() + 4);
+  open.face_vertices.erase(open.face_vertices.begin() + 16, open.face_vertices.begin() + 20);
+  for (const mesh::MeshArrays& mesh : {wedge, open}) {
+    const surface::LimitSurface surface{mesh::ControlMesh(mesh)};
+    const HullBody body(surface, false);
+    const BodyDerivatives derivatives(body);
+    FormNumbers numbers(derivatives, {1.0, 0.0, 0.0, 0.0}, {10.0, 4.0, 1.0});
+    EXPECT_NEAR(numbers.value(FormNumber::kLargestSectionArea), 4.0, 1e-9);
+    for (const FormNumber number : {FormNumber::kLargestSectionArea, FormNumber::kImmersedPrismatic,
+                                    FormNumber::kImmersedMidship}) {
+      try {
+        numbers.gradient(number);
+        ADD_FAILURE() << name_of(number);
+      } catch (const std::invalid_argument& error) {
+        EXPECT_EQ(std::string(error.what()).find("The largest section is a transom"), 0u)
+            << error.what();
+      }
+    }
+    EXPECT_NO_THROW(numbers.gradient(FormNumber::kProjectPrismatic));
+  }
 }
 
 TEST(FormNumbers, ScalingIsThatOfHullAndWater) {
