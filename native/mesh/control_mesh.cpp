@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/control_mesh.h"
 
-#include <Eigen/Geometry>
 #include <stdexcept>
 #include <string>
 
@@ -10,10 +9,11 @@
 namespace hull::mesh {
 namespace {
 
-double diagonal(const std::vector<Eigen::Vector3d>& points) {
+Eigen::AlignedBox3d box_of_faces(const Topology& topology,
+                                 const std::vector<Eigen::Vector3d>& points) {
   Eigen::AlignedBox3d box;
-  for (const Eigen::Vector3d& p : points) box.extend(p);
-  return box.isEmpty() ? 0.0 : box.diagonal().norm();
+  for (int h = 0; h < topology.half_edge_count(); ++h) box.extend(points[topology.origin(h)]);
+  return box;
 }
 
 }  // namespace
@@ -28,8 +28,8 @@ ControlMesh::ControlMesh(MeshArrays arrays) {
       Tags{Topology(static_cast<int>(arrays.points.size()), arrays.face_sizes, arrays.face_vertices,
                     arrays.creases, arrays.corners, arrays.round_border_corners),
            std::move(problems)});
-  points_ = std::move(arrays.points);
-  size_ = diagonal(points_);
+  const Eigen::AlignedBox3d box = box_of_faces(topology(), arrays.points);
+  set_points(std::move(arrays.points), box);
 }
 
 ControlMesh ControlMesh::with_points(std::vector<Eigen::Vector3d> points) const {
@@ -44,17 +44,20 @@ ControlMesh ControlMesh::with_points(std::vector<Eigen::Vector3d> points) const 
                                   " is not finite or too far away.");
     }
   }
-  // As check_mesh() has it, of the faces' points alone: others give the surface no extent.
-  Eigen::AlignedBox3d box;
-  for (int h = 0; h < topology().half_edge_count(); ++h) box.extend(points[topology().origin(h)]);
+  const Eigen::AlignedBox3d box = box_of_faces(topology(), points);
   if (box.sizes().maxCoeff() < kLeastSize) {
     throw std::invalid_argument(
         "The points given all lie in one place: the mesh would have no size.");
   }
   ControlMesh moved = *this;
-  moved.points_ = std::move(points);
-  moved.size_ = diagonal(moved.points_);
+  moved.set_points(std::move(points), box);
   return moved;
+}
+
+void ControlMesh::set_points(std::vector<Eigen::Vector3d> points, const Eigen::AlignedBox3d& box) {
+  points_ = std::move(points);
+  box_ = box;
+  size_ = box.diagonal().norm();
 }
 
 std::vector<int> ControlMesh::irregular_vertices() const {

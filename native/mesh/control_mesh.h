@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <memory>
 #include <vector>
 
@@ -31,7 +32,9 @@ class ControlMesh {
   // and cone tips.
   std::vector<int> irregular_vertices() const;
 
-  // Diagonal of the points' bounding box, m: what tolerances refer to.
+  // Bounds of the points of faces, m: others have no influence on the surface.
+  const Eigen::AlignedBox3d& box() const { return box_; }
+  // Its diagonal, m: what tolerances refer to.
   double size() const { return size_; }
 
  private:
@@ -40,7 +43,10 @@ class ControlMesh {
     std::vector<MeshProblem> warnings;
   };
 
+  void set_points(std::vector<Eigen::Vector3d> points, const Eigen::AlignedBox3d& box);
+
   std::vector<Eigen::Vector3d> points_;
+  Eigen::AlignedBox3d box_;
   double size_ = 0.0;
   std::shared_ptr<const Tags> tags_;
 };

@@ -137,11 +137,14 @@ MichellIntegral::MichellIntegral(const analysis::HullBody& body,
         "All of the hull lies beside the centre plane: Michell's integral is for hulls on it. Move "
         "one hull of a catamaran there; what both do to each other's waves is then left out.");
   }
-  const std::vector<Vector3d>& points = body.surface().mesh().points();
-  // Of control points, whose convex hull holds the surface: no source lies beside the grid.
-  aft_ = forward_ = frame_.x(points[0]);
+  const mesh::ControlMesh& mesh = body.surface().mesh();
+  const mesh::Topology& topology = mesh.topology();
+  // Of the faces' control points, whose convex hull holds the surface: no source lies beside the
+  // grid.
+  aft_ = forward_ = frame_.x(mesh.points()[topology.origin(0)]);
   deepest_ = 0.0;
-  for (const Vector3d& p : points) {
+  for (int h = 0; h < topology.half_edge_count(); ++h) {
+    const Vector3d& p = mesh.points()[topology.origin(h)];
     aft_ = std::min(aft_, frame_.x(p));
     forward_ = std::max(forward_, frame_.x(p));
     deepest_ = std::max(deepest_, frame_.depth(p));

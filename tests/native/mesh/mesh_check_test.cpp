@@ -40,6 +40,17 @@ TEST(MeshCheck, SoundMeshesHaveNoProblems) {
   EXPECT_TRUE(check_mesh(testing::prism(7)).empty());
 }
 
+TEST(ControlMesh, PointsWithoutFacesHaveNoSize) {
+  MeshArrays arrays = cube();
+  arrays.points.emplace_back(1000.0, 0.0, 0.0);
+  const ControlMesh mesh(arrays), plain(cube());
+  EXPECT_EQ(mesh.size(), plain.size());
+  EXPECT_EQ(mesh.box().max(), plain.box().max());
+  arrays.points.back().y() = -3000.0;
+  for (int i = 0; i < 8; ++i) arrays.points[i] *= 2.0;
+  EXPECT_EQ(mesh.with_points(arrays.points).size(), 2.0 * plain.size());
+}
+
 TEST(MeshCheck, EdgeOfThreeFaces) {
   MeshArrays mesh = cube();
   mesh.points.emplace_back(0.0, 0.0, 5.0);

@@ -53,6 +53,20 @@ TEST(MichellIntegral, RefusesOnceItsBodyHasChanged) {
               2.0 * speed * speed / (0.25 * kGravity), 1e-12 * speed * speed);
 }
 
+// Neither its length nor its tolerances are those of points that the surface does not know.
+TEST(MichellIntegral, IsThatOfTheSurface) {
+  mesh::MeshArrays stray = testing::cube();
+  stray.points.emplace_back(40.0, 7.0, -9.0);
+  const auto resistance = [](const mesh::MeshArrays& mesh) {
+    const surface::LimitSurface surface{mesh::ControlMesh(mesh)};
+    const analysis::HullBody body(surface, false);
+    const MichellIntegral integral(body, {0.1, 0.0, 0.0, 0.0});
+    EXPECT_EQ(integral.length(), 2.0);
+    return integral.resistance({2.0})[0].resistance;
+  };
+  EXPECT_EQ(resistance(stray), resistance(testing::cube()));
+}
+
 TEST(MichellIntegral, HasDerivativesOfItsOwnBodyAlone) {
   surface::LimitSurface surface{mesh::ControlMesh(testing::cube())};
   const surface::LimitSurface other{mesh::ControlMesh(testing::prism(7))};
