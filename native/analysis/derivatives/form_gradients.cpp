@@ -152,6 +152,8 @@ Gradient FormNumbers::gradient(FormNumber number) {
     }
     case N::kKmTransverse:
     case N::kKmLongitudinal: {
+      // Wholly under water, there is no metacentre over a centre of buoyancy that there is.
+      if (!(now.waterplane_area > 0.0)) return zero();
       const N bm = number == N::kKmTransverse ? N::kBmTransverse : N::kBmLongitudinal;
       return gradient(N::kKb) + water_.normal.z() * gradient(bm);
     }

@@ -113,6 +113,7 @@ class FormNumbers {
   Gradient largest_section_gradient();
   Gradient inertia_gradient(const Vector3d& direction);
   double inertia(const Vector3d& direction);
+  bool is_defined(FormNumber number);
   Gradient zero() const;
   Vector3d arm_products(const Gradient& gradient, const Vector3d& from) const;
   double length_of(int axis, bool immersed);

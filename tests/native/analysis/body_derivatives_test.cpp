@@ -243,6 +243,28 @@ TEST(FormNumbers, SayThatTheLargestSectionIsATransom) {
   }
 }
 
+// Nor changed by anything: wholly under water there is no waterplane, and out of it nothing at all.
+TEST(FormNumbers, UndefinedNumbersHaveNoDerivatives) {
+  using N = FormNumber;
+  const surface::LimitSurface surface{mesh::ControlMesh(testing::creased_box(10.0, 4.0, 3.0))};
+  const HullBody body(surface, false);
+  const BodyDerivatives derivatives(body);
+  const auto check = [&](double draft, const std::vector<N>& undefined) {
+    FormNumbers numbers(derivatives, {draft, 0.0, 0.0, 5.0}, {10.0, 4.0, 1.0});
+    for (const N number : undefined) {
+      EXPECT_EQ(numbers.value(number), 0.0) << name_of(number);
+      const Gradient gradient = numbers.gradient(number);
+      EXPECT_TRUE(gradient.isZero(0.0)) << name_of(number);
+      EXPECT_TRUE(numbers.scaling(number, gradient).isZero(0.0)) << name_of(number);
+    }
+  };
+  check(5.0, {N::kLcf, N::kLcfPercent, N::kTcf, N::kBmTransverse, N::kBmLongitudinal,
+              N::kKmTransverse, N::kKmLongitudinal, N::kImmersedVerticalPrismatic});
+  std::vector<N> all;
+  for (int k = 0; k < static_cast<int>(N::kCount); ++k) all.push_back(static_cast<N>(k));
+  check(-1.0, all);
+}
+
 TEST(FormNumbers, ScalingIsThatOfHullAndWater) {
   const testing::NaturalHull ship = testing::natural_ship();
   surface::LimitSurface surface{mesh::ControlMesh(ship.mesh)};
