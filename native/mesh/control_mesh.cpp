@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/control_mesh.h"
 
+#include <algorithm>
 #include <stdexcept>
 #include <string>
 
@@ -23,7 +24,9 @@ ControlMesh::ControlMesh(MeshArrays arrays) {
   if (!problems.empty() && problems.front().severity == Severity::kError) {
     throw std::invalid_argument(problems.front().message);
   }
-  // Errors come first: without one in front all problems are warnings.
+  // Errors come first: without one in front all problems are warnings. Points may move: which faces
+  // have no area is found when it is asked for.
+  std::erase_if(problems, [](const MeshProblem& p) { return p.kind == ElementKind::kFace; });
   tags_ = std::make_shared<const Tags>(
       Tags{Topology(static_cast<int>(arrays.points.size()), arrays.face_sizes, arrays.face_vertices,
                     arrays.creases, arrays.corners, arrays.round_border_corners),
@@ -58,6 +61,22 @@ void ControlMesh::set_points(std::vector<Eigen::Vector3d> points, const Eigen::A
   points_ = std::move(points);
   box_ = box;
   size_ = box.diagonal().norm();
+}
+
+std::vector<MeshProblem> ControlMesh::warnings() const {
+  const Topology& t = topology();
+  std::vector<int> sizes, vertices;
+  for (int f = 0; f < t.face_count(); ++f) sizes.push_back(t.face_size(f));
+  for (int h = 0; h < t.half_edge_count(); ++h) vertices.push_back(t.origin(h));
+  std::vector<MeshProblem> warnings = tags_->warnings;
+  if (const auto flat = faces_without_area(points_, sizes, vertices)) {
+    // Where check_mesh() has it: before those of edges.
+    const auto edges = std::find_if(warnings.begin(), warnings.end(), [](const MeshProblem& p) {
+      return p.kind == ElementKind::kEdge;
+    });
+    warnings.insert(edges, *flat);
+  }
+  return warnings;
 }
 
 std::vector<int> ControlMesh::irregular_vertices() const {

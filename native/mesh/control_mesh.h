@@ -25,7 +25,8 @@ class ControlMesh {
 
   const std::vector<Eigen::Vector3d>& points() const { return points_; }
   const Topology& topology() const { return tags_->topology; }
-  const std::vector<MeshProblem>& warnings() const { return tags_->warnings; }
+  // Those of check_mesh(), of the points as they are.
+  std::vector<MeshProblem> warnings() const;
 
   // Vertices where the surface is not everywhere a bicubic B-spline: inner ones without exactly
   // four faces, creases with a sector of other than two, corners with one of other than one, darts
@@ -40,7 +41,7 @@ class ControlMesh {
  private:
   struct Tags {
     Topology topology;
-    std::vector<MeshProblem> warnings;
+    std::vector<MeshProblem> warnings;  // but for that of faces without area
   };
 
   void set_points(std::vector<Eigen::Vector3d> points, const Eigen::AlignedBox3d& box);
