@@ -146,6 +146,17 @@ TEST(FlatRegions, BordersOfRandomFlatSheetsEncloseTheirAreas) {
   }
 }
 
+// Of triangles, whose cells all have an irregular corner.
+TEST(Flatness, OfAFlatPartThereIsAPoint) {
+  mesh::MeshArrays arrays;
+  arrays.points = {{3.0, 3.0, 1.0}, {4.0, 3.0, 1.0}, {3.0, 4.0, 1.0}};
+  testing::add_face(arrays, {0, 1, 2});
+  const surface::LimitSurface surface{mesh::ControlMesh(arrays)};
+  const Flatness found = flatness(surface, flat_part_of_faces(surface, {0}), {}, 1e-6);
+  EXPECT_LT(found.surface_distance, 1e-12);
+  EXPECT_NEAR(found.surface_point.z(), 1.0, 1e-12);
+}
+
 TEST(Flatness, LargestDistanceIsAboveAllSamples) {
   std::mt19937 random(6);
   std::uniform_real_distribution<double> unit(0.0, 1.0);
