@@ -221,13 +221,18 @@ double MichellIntegral::factor(double nu) const {
   return 4.0 * density_ * gravity_ * nu / std::numbers::pi;
 }
 
-WaveResistance MichellIntegral::resistance_to(double speed, double shortest) const {
-  const double nu = wave_number(speed);
+// Checks `shortest`.
+WaveScales MichellIntegral::scales_to(double nu, double shortest) const {
   if (!(shortest > 1.0) || !std::isfinite(shortest) || nu * shortest * length() > kMostTurns) {
     throw std::invalid_argument("The shortest wave's λ must be a number above 1, and not beyond " +
                                 std::to_string(kMostTurns / (nu * length())) + " at this speed.");
   }
-  const SourceGrid grid = sources(scales_for({{nu, shortest * kRounded}}));
+  return scales_for({{nu, shortest * kRounded}});
+}
+
+WaveResistance MichellIntegral::resistance_to(double speed, double shortest) const {
+  const double nu = wave_number(speed);
+  const SourceGrid grid = sources(scales_to(nu, shortest));
   const WaveIntegral integral = WaveSums(grid).integral(nu, 0.0, shortest * kRounded);
   return {speed, factor(nu) * integral.value, factor(nu) * integral.error, integral.shortest};
 }
@@ -245,7 +250,7 @@ analysis::Gradient MichellIntegral::gradient_to(const analysis::BodyDerivatives&
         "The derivatives are another body's: give those of the body that Michell's integral is "
         "of.");
   }
-  const WaveScales scales = scales_for({{nu, shortest * kRounded}});
+  const WaveScales scales = scales_to(nu, shortest);
   SourceGrid grid = sources(scales);
   // From here on the grid holds φ, by which R changes with a source at each place.
   take_derivatives(WaveSums(grid).integral(nu, 0.0, shortest * kRounded), grid);

@@ -15,7 +15,8 @@ namespace {
 constexpr int kNodes = 20;
 constexpr double kTurn = 24.0;
 constexpr int kLeastIntervals = 3;  // that an integral is made of, beyond its beginning
-constexpr int kBatch = 64;          // waves whose derivatives are summed at once
+constexpr int kReachedIntervals = kLeastIntervals + 3;  // of k from 0 on, whatever λ is
+constexpr int kBatch = 64;  // waves whose derivatives are summed at once
 
 // Gauss's rule on [0, 1] with Lagrange's polynomials of its nodes.
 struct IntervalRule {
@@ -65,7 +66,7 @@ WaveSums::WaveSums(const SourceGrid& grid)
     : grid_(grid), length_(rounded_up(grid.length())), width_(kTurn / length_) {}
 
 double WaveSums::least_reach(double length) {
-  return (kLeastIntervals + 3) * kTurn / rounded_up(length);
+  return kReachedIntervals * kTurn / rounded_up(length);
 }
 
 WaveSums::Table WaveSums::table_of(std::span<const double> along) const {
@@ -168,7 +169,7 @@ WaveIntegral WaveSums::integral(double nu, double tolerance, double shortest, Wa
     add_first(nu, integral.first * width_, integral);
   }
   const int first = integral.first;
-  const double reach = std::max(nu * shortest, least_reach(length_));
+  const double reach = std::max(nu * shortest, kReachedIntervals * width_);
   for (int interval = first + static_cast<int>(integral.parts.size());
        (interval + 1) * width_ <= reach; ++interval) {
     integral.parts.push_back(add_interval(nu, interval, integral));

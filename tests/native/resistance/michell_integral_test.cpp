@@ -67,6 +67,20 @@ TEST(MichellIntegral, IsThatOfTheSurface) {
   EXPECT_EQ(resistance(stray), resistance(testing::cube()));
 }
 
+TEST(MichellIntegral, RefusesShortestWavesThatAreNone) {
+  const surface::LimitSurface surface{mesh::ControlMesh(testing::cube())};
+  const analysis::HullBody body(surface, false);
+  const analysis::BodyDerivatives derivatives(body);
+  const MichellIntegral integral(body, {0.1, 0.0, 0.0, 0.0});
+  for (const double shortest : {0.5, 1.0, std::nan(""), 1e9}) {
+    const auto refused = [&](const auto& query) {
+      EXPECT_EQ(words_of(query).find("The shortest wave's λ must be"), 0u) << shortest;
+    };
+    refused([&] { integral.resistance_to(2.0, shortest); });
+    refused([&] { integral.gradient_to(derivatives, 2.0, shortest); });
+  }
+}
+
 TEST(MichellIntegral, HasDerivativesOfItsOwnBodyAlone) {
   surface::LimitSurface surface{mesh::ControlMesh(testing::cube())};
   const surface::LimitSurface other{mesh::ControlMesh(testing::prism(7))};
