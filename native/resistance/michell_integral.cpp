@@ -227,7 +227,9 @@ WaveScales MichellIntegral::scales_to(double nu, double shortest) const {
     throw std::invalid_argument("The shortest wave's λ must be a number above 1, and not beyond " +
                                 std::to_string(kMostTurns / (nu * length())) + " at this speed.");
   }
-  return scales_for({{nu, shortest * kRounded}});
+  // At low speeds the integral's beginning alone may take waves that are shorter.
+  const double taken = WaveSums::first_reach(nu, length()) / nu;
+  return scales_for({{nu, std::max(shortest * kRounded, taken)}});
 }
 
 WaveResistance MichellIntegral::resistance_to(double speed, double shortest) const {

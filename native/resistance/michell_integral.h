@@ -22,7 +22,8 @@ struct WaveResistance {
   double speed;       // m/s
   double resistance;  // kN
   // kN: a bound, from the last octave, of what waves shorter than the shortest one add: amplitudes
-  // fall off no slower than from a blunt end, and the integrand as λ⁻³.
+  // fall off no slower than from a blunt end, and the integrand as λ⁻³. Infinite where less than an
+  // octave was taken.
   double error;
   double shortest;  // the largest λ, 1 / cos of the wave's direction, that was taken
 };
