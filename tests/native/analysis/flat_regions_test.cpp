@@ -15,14 +15,15 @@ std::atomic<std::size_t> allocated_bytes{0};
 
 }  // namespace
 
-// Of this program's own: they count what is asked for.
-void* operator new(std::size_t size) {
+// Of this program's own: they count what is asked for. Written into their callers, free() would
+// seem to be given what another's new had made.
+[[gnu::noinline]] void* operator new(std::size_t size) {
   allocated_bytes += size;
   if (void* const memory = std::malloc(size > 0 ? size : 1)) return memory;
   throw std::bad_alloc();
 }
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+[[gnu::noinline]] void operator delete(void* memory) noexcept { std::free(memory); }
+[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 
 namespace hull::analysis {
 namespace {
