@@ -146,13 +146,13 @@ TEST(FlatRegions, BordersOfRandomFlatSheetsEncloseTheirAreas) {
   }
 }
 
-// Of triangles, whose cells all have an irregular corner.
+// All cells of a cube laid flat have an irregular corner.
 TEST(Flatness, OfAFlatPartThereIsAPoint) {
-  mesh::MeshArrays arrays;
-  arrays.points = {{3.0, 3.0, 1.0}, {4.0, 3.0, 1.0}, {3.0, 4.0, 1.0}};
-  testing::add_face(arrays, {0, 1, 2});
+  mesh::MeshArrays arrays = testing::cube();
+  for (Vector3d& p : arrays.points) p.z() = 1.0;
   const surface::LimitSurface surface{mesh::ControlMesh(arrays)};
-  const Flatness found = flatness(surface, flat_part_of_faces(surface, {0}), {}, 1e-6);
+  const Plane plane{Vector3d::UnitZ(), 1.0};
+  const Flatness found = flatness(surface, flat_part_of_faces(surface, {0}), plane, 1e-6);
   EXPECT_LT(found.surface_distance, 1e-12);
   EXPECT_NEAR(found.surface_point.z(), 1.0, 1e-12);
 }
