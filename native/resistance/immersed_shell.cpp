@@ -76,8 +76,7 @@ struct SpanSheet {
     const analysis::WetColumn wet(square, s);
     // The end on the water comes first: `to` of a column that begins wet, `from` of one that ends
     // so.
-    const bool falls = wet.crosses && wet.low;
-    const double begin = falls ? wet.to : wet.from, end = falls ? wet.from : wet.to;
+    const double begin = wet.to < 1.0 ? wet.to : wet.from, end = wet.to < 1.0 ? wet.from : wet.to;
     return {s, begin, end, wet.any ? area * std::abs(end - begin) : 0.0};
   }
 
