@@ -185,7 +185,7 @@ void bind_control_mesh(py::module_& module) {
           "(k,) points of border edges that run along the centre plane, but further off than that "
           "and within tolerances.NEAR_CENTRE_PLANE: probably meant to be on it.")
       .def_property_readonly("size", &mesh::ControlMesh::size,
-                             "Diagonal of the bounding box of the points, m.")
+                             "Diagonal of the bounding box of the points of faces, m.")
       .def_property_readonly(
           "warnings", [](const mesh::ControlMesh& m) { return m.warnings(); },
           "List of MeshProblem.");

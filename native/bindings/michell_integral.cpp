@@ -20,7 +20,8 @@ void bind_wave_resistance(py::module_& module) {
       .def_readonly("speed", &WaveResistance::speed, "m/s.")
       .def_readonly("resistance", &WaveResistance::resistance, "kN.")
       .def_readonly("error", &WaveResistance::error,
-                    "kN: a bound of what waves shorter than the shortest one add.")
+                    "kN: a bound of what waves shorter than the shortest one add; infinite where "
+                    "too few waves were taken to tell.")
       .def_readonly("shortest", &WaveResistance::shortest,
                     "λ, 1 / cos of the wave's direction, up to which waves were taken.");
 }

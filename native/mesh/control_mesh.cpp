@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/control_mesh.h"
 
-#include <Eigen/Geometry>
+#include <algorithm>
 #include <stdexcept>
 #include <string>
 
@@ -10,10 +10,11 @@
 namespace hull::mesh {
 namespace {
 
-double diagonal(const std::vector<Eigen::Vector3d>& points) {
+Eigen::AlignedBox3d box_of_faces(const Topology& topology,
+                                 const std::vector<Eigen::Vector3d>& points) {
   Eigen::AlignedBox3d box;
-  for (const Eigen::Vector3d& p : points) box.extend(p);
-  return box.isEmpty() ? 0.0 : box.diagonal().norm();
+  for (int h = 0; h < topology.half_edge_count(); ++h) box.extend(points[topology.origin(h)]);
+  return box;
 }
 
 }  // namespace
@@ -23,13 +24,15 @@ ControlMesh::ControlMesh(MeshArrays arrays) {
   if (!problems.empty() && problems.front().severity == Severity::kError) {
     throw std::invalid_argument(problems.front().message);
   }
-  // Errors come first: without one in front all problems are warnings.
+  // Errors come first: without one in front all problems are warnings. Points may move: which faces
+  // have no area is found when it is asked for.
+  std::erase_if(problems, [](const MeshProblem& p) { return p.kind == ElementKind::kFace; });
   tags_ = std::make_shared<const Tags>(
       Tags{Topology(static_cast<int>(arrays.points.size()), arrays.face_sizes, arrays.face_vertices,
                     arrays.creases, arrays.corners, arrays.round_border_corners),
            std::move(problems)});
-  points_ = std::move(arrays.points);
-  size_ = diagonal(points_);
+  const Eigen::AlignedBox3d box = box_of_faces(topology(), arrays.points);
+  set_points(std::move(arrays.points), box);
 }
 
 ControlMesh ControlMesh::with_points(std::vector<Eigen::Vector3d> points) const {
@@ -44,17 +47,36 @@ ControlMesh ControlMesh::with_points(std::vector<Eigen::Vector3d> points) const 
                                   " is not finite or too far away.");
     }
   }
-  // As check_mesh() has it, of the faces' points alone: others give the surface no extent.
-  Eigen::AlignedBox3d box;
-  for (int h = 0; h < topology().half_edge_count(); ++h) box.extend(points[topology().origin(h)]);
+  const Eigen::AlignedBox3d box = box_of_faces(topology(), points);
   if (box.sizes().maxCoeff() < kLeastSize) {
     throw std::invalid_argument(
         "The points given all lie in one place: the mesh would have no size.");
   }
   ControlMesh moved = *this;
-  moved.points_ = std::move(points);
-  moved.size_ = diagonal(moved.points_);
+  moved.set_points(std::move(points), box);
   return moved;
+}
+
+void ControlMesh::set_points(std::vector<Eigen::Vector3d> points, const Eigen::AlignedBox3d& box) {
+  points_ = std::move(points);
+  box_ = box;
+  size_ = box.diagonal().norm();
+}
+
+std::vector<MeshProblem> ControlMesh::warnings() const {
+  const Topology& t = topology();
+  std::vector<int> sizes, vertices;
+  for (int f = 0; f < t.face_count(); ++f) sizes.push_back(t.face_size(f));
+  for (int h = 0; h < t.half_edge_count(); ++h) vertices.push_back(t.origin(h));
+  std::vector<MeshProblem> warnings = tags_->warnings;
+  if (const auto flat = faces_without_area(points_, sizes, vertices)) {
+    // Where check_mesh() has it: before those of edges.
+    const auto edges = std::find_if(warnings.begin(), warnings.end(), [](const MeshProblem& p) {
+      return p.kind == ElementKind::kEdge;
+    });
+    warnings.insert(edges, *flat);
+  }
+  return warnings;
 }
 
 std::vector<int> ControlMesh::irregular_vertices() const {

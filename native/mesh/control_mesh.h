@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <memory>
 #include <vector>
 
@@ -24,23 +25,29 @@ class ControlMesh {
 
   const std::vector<Eigen::Vector3d>& points() const { return points_; }
   const Topology& topology() const { return tags_->topology; }
-  const std::vector<MeshProblem>& warnings() const { return tags_->warnings; }
+  // Those of check_mesh(), of the points as they are.
+  std::vector<MeshProblem> warnings() const;
 
   // Vertices where the surface is not everywhere a bicubic B-spline: inner ones without exactly
   // four faces, creases with a sector of other than two, corners with one of other than one, darts
   // and cone tips.
   std::vector<int> irregular_vertices() const;
 
-  // Diagonal of the points' bounding box, m: what tolerances refer to.
+  // Bounds of the points of faces, m: others have no influence on the surface.
+  const Eigen::AlignedBox3d& box() const { return box_; }
+  // Its diagonal, m: what tolerances refer to.
   double size() const { return size_; }
 
  private:
   struct Tags {
     Topology topology;
-    std::vector<MeshProblem> warnings;
+    std::vector<MeshProblem> warnings;  // but for that of faces without area
   };
 
+  void set_points(std::vector<Eigen::Vector3d> points, const Eigen::AlignedBox3d& box);
+
   std::vector<Eigen::Vector3d> points_;
+  Eigen::AlignedBox3d box_;
   double size_ = 0.0;
   std::shared_ptr<const Tags> tags_;
 };

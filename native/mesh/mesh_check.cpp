@@ -325,32 +325,43 @@ constexpr double kNoFaceArea = 1e-14;
 
 void check_shape(const MeshArrays& mesh, const Connectivity& connectivity,
                  std::vector<MeshProblem>& problems) {
-  Finding flat{Severity::kWarning, ElementKind::kFace, "has no area", "have no area",
-               "Move the points apart, or delete the face."};
   Finding loose{Severity::kWarning, ElementKind::kEdge, "is tagged a crease but belongs to no face",
                 "are tagged creases but belong to no face", "The tag has no influence."};
-  for (int f = 0; f < connectivity.face_count(); ++f) {
-    // Twice the vector area, and the scale against which it is nothing.
-    Eigen::Vector3d area = Eigen::Vector3d::Zero();
-    double scale = 0.0;
-    // From a corner: products of coordinates far from the origin would cancel.
-    const Eigen::Vector3d& origin = mesh.points[mesh.face_vertices[connectivity.begin(f)]];
-    for (int h = connectivity.begin(f); h < connectivity.begin(f + 1); ++h) {
-      const Eigen::Vector3d a = mesh.points[mesh.face_vertices[h]] - origin;
-      const Eigen::Vector3d b = mesh.points[mesh.face_vertices[connectivity.next(h)]] - origin;
-      area += a.cross(b);
-      scale = std::max(scale, a.squaredNorm());
-    }
-    if (area.norm() <= kNoFaceArea * scale) flat.elements.push_back(f);
-  }
   for (const auto& [a, b] : mesh.creases) {
     if (!connectivity.has_edge(a, b)) loose.elements.insert(loose.elements.end(), {a, b});
   }
-  report(flat, problems);
+  const auto flat = faces_without_area(mesh.points, mesh.face_sizes, mesh.face_vertices);
+  if (flat) problems.push_back(*flat);
   report(loose, problems);
 }
 
 }  // namespace
+
+std::optional<MeshProblem> faces_without_area(const std::vector<Eigen::Vector3d>& points,
+                                              const std::vector<int>& face_sizes,
+                                              const std::vector<int>& face_vertices) {
+  Finding flat{Severity::kWarning, ElementKind::kFace, "has no area", "have no area",
+               "Move the points apart, or delete the face."};
+  const int* corners = face_vertices.data();
+  for (std::size_t f = 0; f < face_sizes.size(); corners += face_sizes[f++]) {
+    // Twice the vector area, and the scale against which it is nothing.
+    Eigen::Vector3d area = Eigen::Vector3d::Zero();
+    double scale = 0.0;
+    // From a corner: products of coordinates far from the origin would cancel.
+    const Eigen::Vector3d& origin = points[corners[0]];
+    for (int k = 0; k < face_sizes[f]; ++k) {
+      const Eigen::Vector3d a = points[corners[k]] - origin;
+      const Eigen::Vector3d b = points[corners[(k + 1) % face_sizes[f]]] - origin;
+      area += a.cross(b);
+      scale = std::max(scale, a.squaredNorm());
+    }
+    if (area.norm() <= kNoFaceArea * scale) flat.elements.push_back(static_cast<int>(f));
+  }
+  std::vector<MeshProblem> problems;
+  report(flat, problems);
+  if (problems.empty()) return std::nullopt;
+  return problems.front();
+}
 
 std::vector<MeshProblem> check_mesh(const MeshArrays& mesh) {
   std::vector<MeshProblem> problems;

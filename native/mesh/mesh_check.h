@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -43,5 +44,10 @@ inline constexpr double kMaxCoordinate = 1e9;  // m
 // one MeshProblem, which names the first few. After errors in sizes or indices nothing further is
 // looked at.
 std::vector<MeshProblem> check_mesh(const MeshArrays& mesh);
+
+// The one of these warnings that depends on where the points are: that of faces without area.
+std::optional<MeshProblem> faces_without_area(const std::vector<Eigen::Vector3d>& points,
+                                              const std::vector<int>& face_sizes,
+                                              const std::vector<int>& face_vertices);
 
 }  // namespace hull::mesh

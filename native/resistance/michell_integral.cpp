@@ -137,11 +137,14 @@ MichellIntegral::MichellIntegral(const analysis::HullBody& body,
         "All of the hull lies beside the centre plane: Michell's integral is for hulls on it. Move "
         "one hull of a catamaran there; what both do to each other's waves is then left out.");
   }
-  const std::vector<Vector3d>& points = body.surface().mesh().points();
-  // Of control points, whose convex hull holds the surface: no source lies beside the grid.
-  aft_ = forward_ = frame_.x(points[0]);
+  const mesh::ControlMesh& mesh = body.surface().mesh();
+  const mesh::Topology& topology = mesh.topology();
+  // Of the faces' control points, whose convex hull holds the surface: no source lies beside the
+  // grid.
+  aft_ = forward_ = frame_.x(mesh.points()[topology.origin(0)]);
   deepest_ = 0.0;
-  for (const Vector3d& p : points) {
+  for (int h = 0; h < topology.half_edge_count(); ++h) {
+    const Vector3d& p = mesh.points()[topology.origin(h)];
     aft_ = std::min(aft_, frame_.x(p));
     forward_ = std::max(forward_, frame_.x(p));
     deepest_ = std::max(deepest_, frame_.depth(p));
@@ -218,13 +221,20 @@ double MichellIntegral::factor(double nu) const {
   return 4.0 * density_ * gravity_ * nu / std::numbers::pi;
 }
 
-WaveResistance MichellIntegral::resistance_to(double speed, double shortest) const {
-  const double nu = wave_number(speed);
+// Checks `shortest`.
+WaveScales MichellIntegral::scales_to(double nu, double shortest) const {
   if (!(shortest > 1.0) || !std::isfinite(shortest) || nu * shortest * length() > kMostTurns) {
     throw std::invalid_argument("The shortest wave's λ must be a number above 1, and not beyond " +
                                 std::to_string(kMostTurns / (nu * length())) + " at this speed.");
   }
-  const SourceGrid grid = sources(scales_for({{nu, shortest * kRounded}}));
+  // At low speeds the integral's beginning alone may take waves that are shorter.
+  const double taken = WaveSums::first_reach(nu, length()) / nu;
+  return scales_for({{nu, std::max(shortest * kRounded, taken)}});
+}
+
+WaveResistance MichellIntegral::resistance_to(double speed, double shortest) const {
+  const double nu = wave_number(speed);
+  const SourceGrid grid = sources(scales_to(nu, shortest));
   const WaveIntegral integral = WaveSums(grid).integral(nu, 0.0, shortest * kRounded);
   return {speed, factor(nu) * integral.value, factor(nu) * integral.error, integral.shortest};
 }
@@ -242,7 +252,7 @@ analysis::Gradient MichellIntegral::gradient_to(const analysis::BodyDerivatives&
         "The derivatives are another body's: give those of the body that Michell's integral is "
         "of.");
   }
-  const WaveScales scales = scales_for({{nu, shortest * kRounded}});
+  const WaveScales scales = scales_to(nu, shortest);
   SourceGrid grid = sources(scales);
   // From here on the grid holds φ, by which R changes with a source at each place.
   take_derivatives(WaveSums(grid).integral(nu, 0.0, shortest * kRounded), grid);

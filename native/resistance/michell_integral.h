@@ -22,7 +22,8 @@ struct WaveResistance {
   double speed;       // m/s
   double resistance;  // kN
   // kN: a bound, from the last octave, of what waves shorter than the shortest one add: amplitudes
-  // fall off no slower than from a blunt end, and the integrand as λ⁻³.
+  // fall off no slower than from a blunt end, and the integrand as λ⁻³. Infinite where less than an
+  // octave was taken.
   double error;
   double shortest;  // the largest λ, 1 / cos of the wave's direction, that was taken
 };
@@ -52,18 +53,19 @@ class MichellIntegral {
                   double tolerance = kWaveTolerance);
 
   // Speeds in m/s, each with its result; they share what does not depend on the speed. Throws
-  // std::invalid_argument for speeds that are not finite, or whose Froude number on the immersed
-  // length is below 0.05 or above 5.
+  // std::invalid_argument for speeds that are not finite, or whose Froude number on length()
+  // is below 0.05 or above 5.
   std::vector<WaveResistance> resistance(const std::vector<double>& speeds) const;
 
   // The same at one speed of waves up to λ = `shortest`, as nearly as whole intervals come to it,
   // whatever is left then: it varies smoothly with the hull's form. Throws besides where `shortest`
-  // is not above 1.
+  // is not above 1, or so large that such waves are too many along the ship.
   WaveResistance resistance_to(double speed, double shortest) const;
 
   // Derivatives of the resistance by the control points, kN/m, the water and the shortest wave
   // staying as they are: that at which resistance() ends, or that of resistance_to().
-  // `derivatives`: of the body, otherwise throws. Of a mirrored body both sides count.
+  // `derivatives`: of the body, otherwise throws, and for `shortest` as resistance_to() does. Of a
+  // mirrored body both sides count.
   analysis::Gradient gradient(const analysis::BodyDerivatives& derivatives, double speed) const;
   analysis::Gradient gradient_to(const analysis::BodyDerivatives& derivatives, double speed,
                                  double shortest) const;
@@ -90,6 +92,7 @@ class MichellIntegral {
     double nu, shortest;
   };
   WaveScales scales_for(const std::vector<WaveRange>& ranges) const;
+  WaveScales scales_to(double nu, double shortest) const;
   SourceGrid sources(const WaveScales& scales) const;
   // kN of the integral for ν.
   double factor(double nu) const;

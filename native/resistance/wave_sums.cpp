@@ -15,7 +15,8 @@ namespace {
 constexpr int kNodes = 20;
 constexpr double kTurn = 24.0;
 constexpr int kLeastIntervals = 3;  // that an integral is made of, beyond its beginning
-constexpr int kBatch = 64;          // waves whose derivatives are summed at once
+constexpr int kReachedIntervals = kLeastIntervals + 3;  // of k from 0 on, whatever λ is
+constexpr int kBatch = 64;  // waves whose derivatives are summed at once
 
 // Gauss's rule on [0, 1] with Lagrange's polynomials of its nodes.
 struct IntervalRule {
@@ -59,13 +60,24 @@ std::vector<double> interval_nodes(double begin, double width) {
 // they are while points move a little.
 double rounded_up(double length) { return std::exp2(std::ceil(4.0 * std::log2(length)) / 4.0); }
 
+// The interval before which an integral's beginning ends. Half an interval from the singularity
+// Gauss's rule is as good as elsewhere.
+int first_interval(double nu, double width) {
+  return static_cast<int>(std::ceil(nu / width + 0.5));
+}
+
 }  // namespace
 
 WaveSums::WaveSums(const SourceGrid& grid)
     : grid_(grid), length_(rounded_up(grid.length())), width_(kTurn / length_) {}
 
 double WaveSums::least_reach(double length) {
-  return (kLeastIntervals + 3) * kTurn / rounded_up(length);
+  return kReachedIntervals * kTurn / rounded_up(length);
+}
+
+double WaveSums::first_reach(double nu, double length) {
+  const double width = kTurn / rounded_up(length);
+  return first_interval(nu, width) * width;
 }
 
 WaveSums::Table WaveSums::table_of(std::span<const double> along) const {
@@ -163,16 +175,17 @@ double WaveSums::add_interval(double nu, int interval, WaveIntegral& integral) {
 WaveIntegral WaveSums::integral(double nu, double tolerance, double shortest, WaveIntegral begun) {
   WaveIntegral integral = std::move(begun);
   if (integral.first < 0) {
-    // Half an interval from the singularity Gauss's rule is as good as elsewhere.
-    integral.first = static_cast<int>(std::ceil(nu / width_ + 0.5));
+    integral.first = first_interval(nu, width_);
     add_first(nu, integral.first * width_, integral);
+    integral.shortest = integral.first * width_ / nu;
   }
   const int first = integral.first;
-  const double reach = std::max(nu * shortest, least_reach(length_));
+  const double reach = std::max(nu * shortest, kReachedIntervals * width_);
   for (int interval = first + static_cast<int>(integral.parts.size());
        (interval + 1) * width_ <= reach; ++interval) {
     integral.parts.push_back(add_interval(nu, interval, integral));
     const int end = interval + 1, half = end / 2;
+    integral.shortest = end * width_ / nu;
     // The last octave of k, from its half on, has to be of whole intervals.
     if (half < first || end < first + kLeastIntervals) continue;
     double octave = 0.0;
@@ -184,7 +197,6 @@ WaveIntegral WaveSums::integral(double nu, double tolerance, double shortest, Wa
       // What the last doubling of λ made of the error.
       integral.fall = std::log2(before->second / integral.error);
     }
-    integral.shortest = end * width_ / nu;
     integral.settled = integral.error <= tolerance * integral.value;
     if (integral.settled) break;
   }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <complex>
+#include <limits>
 #include <map>
 #include <span>
 #include <vector>
@@ -16,10 +17,10 @@ struct SummedWave {
   std::complex<double> amplitude;
 };
 
-// ∫₁^∞ |I|² λ² / √(λ² - 1) dλ, as far as it was taken: to λ = shortest. Its error falls off as
-// λ^-fall there.
+// ∫₁^∞ |I|² λ² / √(λ² - 1) dλ, as far as it was taken: to λ = shortest. Its error, infinite before
+// there is an octave to tell it from, falls off as λ^-fall there.
 struct WaveIntegral {
-  double value = 0.0, error = 0.0, shortest = 1.0, fall = 2.0;
+  double value = 0.0, error = std::numeric_limits<double>::infinity(), shortest = 1.0, fall = 2.0;
   bool settled = false;
   std::vector<SummedWave> waves;
   // Its intervals of k: the first behind the integral's beginning, below zero before that; what
@@ -46,6 +47,8 @@ class WaveSums {
 
   // The least k that an integral may have to reach whatever λ is. `length`: of the sources, m.
   static double least_reach(double length);
+  // The k at which its beginning ends, for ν, which is always taken as a whole.
+  static double first_reach(double nu, double length);
 
  private:
   using Complex = std::complex<double>;

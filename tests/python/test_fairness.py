@@ -354,6 +354,16 @@ def test_scale_of_signed_values():
     assert abs(scale.high - 0.5) < 2e-3
 
 
+def test_decades_of_distances_are_of_millimetres():
+    limits = {0.05: "10", 0.1: "100", 2e-4: "0.1"}
+    for high, top in limits.items():
+        scale = hn.colour_scale([0.0], kind="distance", mapping="logarithmic", limits=(-high, high))
+        assert scale.unit == "mm" and scale.tick_labels[-1] == top
+        decades = float(top) * np.array([-1, -0.1, -0.01, 0, 0.01, 0.1, 1])
+        np.testing.assert_allclose(scale.tick_values, decades, rtol=1e-12)
+        np.testing.assert_allclose(scale.normalised(decades / 1000), scale.tick_positions)
+
+
 def test_scale_of_slopes_is_in_degrees():
     scale = hn.colour_scale(np.radians(np.linspace(10, 80, 701)), kind="slope", percentile=1.0)
     assert not scale.signed and scale.unit == "°"

@@ -140,6 +140,28 @@ def test_gradient_by_differences(name, froude):
     assert np.sum(gradient * moves) == pytest.approx((ahead - back) / (2 * step), rel=1e-6)
 
 
+@pytest.mark.parametrize("draft", [0.25, 0.5])
+def test_gradient_where_a_row_of_points_lies_on_the_water(draft):
+    x, z = np.linspace(0.0, LENGTH, 13), np.linspace(0.0, 1.0, 5)
+    y = BEAM / 2 * np.sin(math.pi * x / LENGTH)[:, None] * (z / z[-1]) ** 0.4
+    points = np.stack(np.broadcast_arrays(x[:, None], y, z), axis=-1)
+    surface = hn.LimitSurface(grid_mesh(points))
+    body = hn.HullBody(surface, mirrored=True)
+    points, speed = surface.mesh.points.copy(), speed_at(0.3)
+    moves = np.random.default_rng(27).normal(size=points.shape)
+    moves[points[:, 1] == 0.0, 1] = 0.0
+
+    def integral(step):
+        surface.set_points(points + step * moves)
+        body.update()
+        return hn.MichellIntegral(body, draft=draft)
+
+    step = 1e-6 * surface.mesh.size
+    gradient = integral(0.0).gradient(hn.BodyDerivatives(body), speed)
+    ahead, back = (integral(s).resistance([speed])[0].resistance for s in (step, -step))
+    assert np.sum(gradient * moves) == pytest.approx((ahead - back) / (2 * step), rel=1e-6)
+
+
 def test_spectrum_has_the_energy():
     speed = speed_at(0.3)
     integral = hn.MichellIntegral(hn.HullBody(wigley(21, 9), mirrored=True), draft=0.0)

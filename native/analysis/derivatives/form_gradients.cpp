@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <Eigen/Geometry>
 #include <cmath>
+#include <stdexcept>
+#include <string>
 
 #include "analysis/derivatives/form_numbers.h"
+#include "analysis/stations/station_cutter.h"
 
 namespace hull::analysis {
 namespace {
@@ -52,6 +55,22 @@ Gradient FormNumbers::zero() const {
 Gradient FormNumbers::section_area_gradient(double position) {
   require_current();
   return derivatives_->section_area(position, water_);
+}
+
+Gradient FormNumbers::largest_section_gradient() {
+  if (!(largest().area > 0.0)) return zero();
+  const double position = largest().position;
+  // A transom whose points do not move together is met at once by no station: the largest area then
+  // falls, whichever way they went.
+  if (StationCutter(derivatives_->body()).distance_of_flats(position)) {
+    throw std::invalid_argument(
+        "The largest section is a transom, or another flat or border across the ship, at x = " +
+        std::to_string(position) +
+        " m, where the area jumps: it has no derivatives, nor have coefficients by it. Ask for "
+        "those by the midship section instead, or make a station beside it the largest.");
+  }
+  // The place where it is largest may move, which does not change it to first order.
+  return section_area_gradient(position);
 }
 
 // Of the largest value of direction · p. On the waterline, h = 0 there, it is that of
@@ -133,6 +152,8 @@ Gradient FormNumbers::gradient(FormNumber number) {
     }
     case N::kKmTransverse:
     case N::kKmLongitudinal: {
+      // Wholly under water, there is no metacentre over a centre of buoyancy that there is.
+      if (!(now.waterplane_area > 0.0)) return zero();
       const N bm = number == N::kKmTransverse ? N::kBmTransverse : N::kBmLongitudinal;
       return gradient(N::kKb) + water_.normal.z() * gradient(bm);
     }
@@ -151,8 +172,7 @@ Gradient FormNumbers::gradient(FormNumber number) {
     case N::kMidshipSectionArea:
       return project_.length_pp > 0.0 ? section_area_gradient(0.5 * project_.length_pp) : zero();
     case N::kLargestSectionArea:
-      // The place where it is largest may move, which does not change it to first order.
-      return largest().area > 0.0 ? section_area_gradient(largest().position) : zero();
+      return largest_section_gradient();
     default:
       break;
   }

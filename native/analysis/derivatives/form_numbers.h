@@ -80,6 +80,8 @@ class FormNumbers {
   const Plane& water() const { return water_; }
 
   double value(FormNumber number);
+  // Throws std::invalid_argument for the area of a largest section that is a transom, or another
+  // place where areas jump, and for coefficients by it.
   Gradient gradient(FormNumber number);
 
   // By the logarithms of factors by which hull, water and project dimensions are scaled together
@@ -108,8 +110,10 @@ class FormNumbers {
   double immersed_draft();
   Gradient extent_gradient(int axis, Part part);
   Gradient farthest_gradient(const FarthestPoint& point, const Vector3d& direction, Part part);
+  Gradient largest_section_gradient();
   Gradient inertia_gradient(const Vector3d& direction);
   double inertia(const Vector3d& direction);
+  bool is_defined(FormNumber number);
   Gradient zero() const;
   Vector3d arm_products(const Gradient& gradient, const Vector3d& from) const;
   double length_of(int axis, bool immersed);

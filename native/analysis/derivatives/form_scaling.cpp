@@ -15,6 +15,15 @@ Vector3d FormNumbers::arm_products(const Gradient& gradient, const Vector3d& fro
   return sum;
 }
 
+// False where a number is zero because there is none, at any scale.
+bool FormNumbers::is_defined(FormNumber number) {
+  using N = FormNumber;
+  if (!(immersion().volume > 0.0)) return false;
+  const bool by_waterplane =
+      number == N::kKmTransverse || number == N::kKmLongitudinal || number == N::kLcfPercent;
+  return !by_waterplane || immersion().waterplane_area > 0.0;
+}
+
 // With the hull scaled from the water's surface, the water may stay. What is then different is that
 // heights are counted from the base line, which is at z = 0 before and after.
 Vector3d FormNumbers::scaling(FormNumber number, const Gradient& gradient) {
@@ -22,6 +31,7 @@ Vector3d FormNumbers::scaling(FormNumber number, const Gradient& gradient) {
   require_current();
   assert(position_.trim == 0.0);
   const Vector3d waters(0.0, 0.0, position_.draft);
+  if (!is_defined(number)) return Vector3d::Zero();
   if (number >= N::kProjectBlock) {
     Vector3d sum = Vector3d::Zero();
     const double whole = value(number);

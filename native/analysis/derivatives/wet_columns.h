@@ -14,17 +14,20 @@ namespace hull::analysis {
 struct WetColumn {
   double from = 0.0, to = 1.0;
   bool any, crosses;
+  bool low;  // whether the end at 0 is below the water
 
   WetColumn(const CutSquare& square, double along) {
     const BezierCubic column = square.height.along_v(along);
-    const bool low = column[0] < 0.0, high = column[3] < 0.0;
+    const bool high = column[3] < 0.0;
+    low = column[0] < 0.0;
     any = low || high;
     crosses = low != high;
     if (crosses) (low ? to : from) = crossing(column);
   }
 
-  // The end of the part below the water that is on its surface. REQUIRES: crosses.
-  double at_water() const { return from > 0.0 ? from : to; }
+  // The end of the part below the water that is on its surface, which may be exactly at 0 or 1, as
+  // where a row of control points is. REQUIRES: crosses.
+  double at_water() const { return low ? to : from; }
 };
 
 // Where a square's parameters (along the cut, across it) are in its span.

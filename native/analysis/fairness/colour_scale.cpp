@@ -129,16 +129,16 @@ void ColourScale::add_tick(double value, std::vector<Tick>& ticks) const {
 
 std::vector<ColourScale::Tick> ColourScale::ticks() const {
   std::vector<Tick> ticks;
+  const double factor = legend_factor(kind_);
   if (mapping_ == Mapping::kLogarithmic && is_signed()) {
     // The range itself may be a power of ten, but for rounding.
-    const int top = static_cast<int>(std::floor(std::log10(high_) + 1e-9));
+    const int top = static_cast<int>(std::floor(std::log10(factor * high_) + 1e-9));
     constexpr int kDecades = 3;
     for (int k = 0; k < kDecades; ++k) add_tick(-std::pow(10.0, top - k), ticks);
     add_tick(0.0, ticks);
     for (int k = kDecades - 1; k >= 0; --k) add_tick(std::pow(10.0, top - k), ticks);
     return ticks;
   }
-  const double factor = legend_factor(kind_);
   const double low = factor * low_, high = factor * high_;
   const double step = round_up((high - low) / kMostColours);
   // Multiples of the step, since sums of it would drift, and miss zero.

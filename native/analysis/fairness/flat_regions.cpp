@@ -141,7 +141,9 @@ class RegionFinder {
       : surface_(surface),
         tolerance_(tolerance),
         areas_(surface.cell_count(), -1.0),
-        used_(surface.cell_count(), 0) {
+        used_(surface.cell_count(), 0),
+        seen_(surface.cell_count(), 0),
+        passed_(4 * surface.cell_count(), 0) {
     points_.reserve(surface.cell_count());
     for (int cell = 0; cell < surface.cell_count(); ++cell) {
       points_.push_back(control_points(surface, cell));
@@ -205,18 +207,17 @@ class RegionFinder {
     return areas_[cell];
   }
 
-  std::vector<int> grown(int seed, const Plane& plane) const {
+  std::vector<int> grown(int seed, const Plane& plane) {
     std::vector<int> cells{seed};
-    std::vector<char> seen(points_.size(), 0);
-    seen[seed] = 1;
+    seen_[seed] = ++mark_;
     // What was found is also the queue of what is to be looked around.
     for (std::size_t i = 0; i < cells.size(); ++i) {
       for (int side = 0; side < 4; ++side) {
         const int twin = surface_.cells().twin(4 * cells[i] + side);
         if (twin < 0) continue;
         const int next = twin / 4;
-        if (seen[next] || used_[next]) continue;
-        seen[next] = 1;
+        if (seen_[next] == mark_ || used_[next]) continue;
+        seen_[next] = mark_;
         if (lies_in(points_[next], plane, tolerance_)) cells.push_back(next);
       }
     }
@@ -238,21 +239,21 @@ class RegionFinder {
     return region;
   }
 
-  std::vector<FlatBorder> borders(const std::vector<int>& cells) const {
+  std::vector<FlatBorder> borders(const std::vector<int>& cells) {
     const mesh::Topology& topology = surface_.cells();
-    std::vector<char> inside(points_.size(), 0), done(4 * points_.size(), 0);
-    for (const int cell : cells) inside[cell] = 1;
+    ++mark_;
+    for (const int cell : cells) seen_[cell] = mark_;
     const auto is_border = [&](int h) {
       const int twin = topology.twin(h);
-      return twin < 0 || !inside[twin / 4];
+      return twin < 0 || seen_[twin / 4] != mark_;
     };
     std::vector<FlatBorder> result;
     for (const int cell : cells) {
       for (int h = 4 * cell; h < 4 * cell + 4; ++h) {
-        if (done[h] || !is_border(h)) continue;
+        if (passed_[h] || !is_border(h)) continue;
         FlatBorder& border = result.emplace_back();
-        for (int at = h; !done[at];) {
-          done[at] = 1;
+        for (int at = h; !passed_[at];) {
+          passed_[at] = 1;
           SideCubics(surface_, at).add_to(border.cubics);
           at = topology.next(at);
           // Around the side's end, across cells of the region.
@@ -268,6 +269,11 @@ class RegionFinder {
   std::vector<Points> points_;
   std::vector<double> areas_;
   std::vector<char> used_;
+  // Cells that the search under way has seen have its number: nothing is cleared for the next one,
+  // so that many small regions cost no more than a large one.
+  std::vector<int> seen_;
+  int mark_ = 0;
+  std::vector<char> passed_;  // half-edges on borders of regions, of which each cell has one
 };
 
 }  // namespace

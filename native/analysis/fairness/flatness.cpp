@@ -85,7 +85,7 @@ class Furthest {
           for (const Vector3d& p : square.points()) {
             bound = std::max(bound, std::abs(plane_.height(p)));
           }
-          if (bound <= distance_ + exact_) return false;
+          if (found_ && bound <= distance_ + exact_) return false;
           // What is left at the knot is no more than its own point.
           if (square.size <= kSmallestSquare) {
             take(cell, square.u > 0.0 ? 1.0 : 0.0, square.v > 0.0 ? 1.0 : 0.0);

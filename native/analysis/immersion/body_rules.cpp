@@ -23,19 +23,6 @@ constexpr double kCentreGrid = 0.125;  // of the size, for the centre
 
 double power_of_two(double x) { return std::exp2(std::round(std::log2(x))); }
 
-struct Extent {
-  Vector3d middle = Vector3d::Zero(), sides = Vector3d::Zero();
-};
-
-Extent extent_of(const std::vector<Vector3d>& points) {
-  Vector3d low = points.front(), high = low;
-  for (const Vector3d& p : points) {
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
-  }
-  return {0.5 * (low + high), high - low};
-}
-
 }  // namespace
 
 CutRules exact_cuts(double size, double looser) {
@@ -44,11 +31,11 @@ CutRules exact_cuts(double size, double looser) {
 }
 
 BodyRules body_rules(const surface::LimitSurface& surface, bool mirrored, double tolerance) {
-  const Extent extent = extent_of(surface.mesh().points());
+  const Eigen::AlignedBox3d& box = surface.mesh().box();
+  const Vector3d middle = 0.5 * (box.min() + box.max());
   const double size = power_of_two(surface.mesh().size());
   BodyRules rules;
-  rules.centre =
-      kCentreGrid * size * (extent.middle / (kCentreGrid * size)).array().round().matrix();
+  rules.centre = kCentreGrid * size * (middle / (kCentreGrid * size)).array().round().matrix();
   // In the centre plane, so that the mirror image of moments is about the same point.
   if (mirrored) rules.centre.y() = 0.0;
   if (tolerance < kCoarse) {
@@ -64,7 +51,7 @@ BodyRules body_rules(const surface::LimitSurface& surface, bool mirrored, double
   // The parts share in what the volume and the surface of the box around the mesh may be off, of
   // which a hull has a third or more. Few spans, and few of those that the water cuts, come near to
   // their share; at corners a volume's error is some part of that of the nine moments together.
-  const Vector3d& sides = extent.sides;
+  const Vector3d sides = box.sizes();
   const double volume =
       tolerance * power_of_two(std::max(sides.prod(), kLeastVolume * size * size * size));
   const double area = tolerance * power_of_two(sides.x() * sides.y() + sides.y() * sides.z() +

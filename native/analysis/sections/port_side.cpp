@@ -17,11 +17,8 @@ constexpr double kNothingToPort = 1e-3;
 }  // namespace
 
 std::string missing_port_side(const surface::LimitSurface& surface, bool mirrored) {
-  double port = 0.0, starboard = 0.0;
-  for (const Vector3d& p : surface.mesh().points()) {
-    port = std::max(port, p.y());
-    starboard = std::max(starboard, -p.y());
-  }
+  const Eigen::AlignedBox3d& box = surface.mesh().box();
+  const double port = std::max(0.0, box.max().y()), starboard = std::max(0.0, -box.min().y());
   if (port >= (mirrored ? kBothSides : kNothingToPort) * starboard) return {};
   if (!mirrored) return "Nothing of the hull lies to port (y > 0): mirror it to port.";
   return "The half hull lies to starboard (y < 0), but the half that counts twice is the port one: "

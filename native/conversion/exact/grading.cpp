@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "conversion/exact/grading.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -27,16 +26,10 @@ constexpr double kWithinReach = 20.0;
 // Of the time: the search for gradings; the rest is for the patches.
 constexpr double kSearchShare = 0.6;
 
-double largest_extent(const mesh::ControlMesh& mesh) {
-  Eigen::AlignedBox3d box;
-  for (const Vector3d& point : mesh.points()) box.extend(point);
-  return box.isEmpty() ? 0.0 : box.sizes().maxCoeff();
-}
-
 CornerLimits limits_of(const surface::LimitSurface& surface, const ExactOptions& options) {
   const double in_proportion =
       0.02 * std::numbers::pi / 180.0 * std::sqrt(options.tolerance / 1e-6);
-  return {kReserve * options.tolerance * largest_extent(surface.mesh()),
+  return {kReserve * options.tolerance * surface.mesh().box().sizes().maxCoeff(),
           kReserve * (options.seam_angle > 0.0 ? options.seam_angle : in_proportion)};
 }
 

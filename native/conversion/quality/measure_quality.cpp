@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "conversion/quality/measure_quality.h"
 
-#include <Eigen/Geometry>
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -16,12 +15,6 @@ constexpr int kMostSamples = 16;
 constexpr double kNormalReach = 1e-6;  // of the length
 // How much of the time is needed for patches, the rest for seams.
 constexpr double kShareOfPatches = 0.8;
-
-double largest_extent(const mesh::ControlMesh& mesh) {
-  Eigen::AlignedBox3d box;
-  for (const Vector3d& point : mesh.points()) box.extend(point);
-  return box.isEmpty() ? 0.0 : box.sizes().maxCoeff();
-}
 
 void check(const surface::LimitSurface& surface, const PatchSet& set,
            const QualityOptions& options) {
@@ -80,7 +73,7 @@ QualityReport measure_quality(const surface::LimitSurface& surface, const PatchS
                               const QualityOptions& options, const surface::Progress& progress) {
   check(surface, set, options);
   QualityReport report;
-  report.length = largest_extent(surface.mesh());
+  report.length = surface.mesh().box().sizes().maxCoeff();
   report.normal_reach = options.normal_reach.value_or(kNormalReach * report.length);
   report.theoretical_patch_count = least_block_count(surface);
   const surface::SurfaceTree tree(surface);

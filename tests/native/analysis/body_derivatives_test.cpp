@@ -3,10 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <random>
 #include <stdexcept>
+#include <string>
 
 #include "analysis/derivatives/form_numbers.h"
 #include "analysis/stations/section_areas.h"
@@ -132,6 +134,27 @@ TEST(BodyDerivatives, AgreeWithDifferencesOnAShip) {
   }
 }
 
+// Rows of control points at even heights have the surface's own rows there: columns of the spans
+// below them end exactly on the water.
+TEST(BodyDerivatives, AgreeWithDifferencesWhereRowsLieOnTheWater) {
+  std::mt19937 random(kDerivativesSeed + 3);
+  RecordProperty("seed", static_cast<int>(kDerivativesSeed + 3));
+  const testing::NaturalHull ship = testing::natural_ship();
+  for (const bool turned : {false, true}) {
+    mesh::MeshArrays mesh = ship.mesh;
+    // Faces begin with another corner, and so the spans' parameters somewhere else.
+    for (std::size_t face = 0; turned && face < mesh.face_sizes.size(); ++face) {
+      const auto first = mesh.face_vertices.begin() + static_cast<std::ptrdiff_t>(4 * face);
+      std::rotate(first, first + 1 + face % 3, first + 4);
+    }
+    surface::LimitSurface surface{mesh::ControlMesh(mesh)};
+    const std::vector<Vector3d>& points = surface.mesh().points();
+    for (const double draft : {1.5, 3.0, 4.5}) {
+      check_immersion(surface, true, upright(draft), random_shifts(random, points.size(), 1.0));
+    }
+  }
+}
+
 // Corners of three faces, closed bodies and open ones, whose border is closed by a fan from its
 // centroid, which moves along.
 TEST(BodyDerivatives, AgreeWithDifferencesOnRandomBodies) {
@@ -190,6 +213,57 @@ TEST(BodyDerivatives, SectionsWhereAreasJumpAreRefused) {
     wider += std::copysign(gradient(i, 1), gradient(i, 1) * surface.mesh().points()[i].y());
   }
   EXPECT_NEAR(wider, 2.0, 1e-12);
+}
+
+// Broadest at its open end, or at a flat there: nobody chose that station.
+TEST(FormNumbers, SayThatTheLargestSectionIsATransom) {
+  mesh::MeshArrays wedge = testing::creased_box(10.0, 4.0, 3.0);
+  for (Vector3d& p : wedge.points) p.y() *= 1.0 - 0.05 * p.x();
+  mesh::MeshArrays open = wedge;
+  // Without the face at x = 0.
+  open.face_sizes.erase(open.face_sizes.begin() + 4);
+  open.face_vertices.erase(open.face_vertices.begin() + 16, open.face_vertices.begin() + 20);
+  for (const mesh::MeshArrays& mesh : {wedge, open}) {
+    const surface::LimitSurface surface{mesh::ControlMesh(mesh)};
+    const HullBody body(surface, false);
+    const BodyDerivatives derivatives(body);
+    FormNumbers numbers(derivatives, {1.0, 0.0, 0.0, 0.0}, {10.0, 4.0, 1.0});
+    EXPECT_NEAR(numbers.value(FormNumber::kLargestSectionArea), 4.0, 1e-9);
+    for (const FormNumber number : {FormNumber::kLargestSectionArea, FormNumber::kImmersedPrismatic,
+                                    FormNumber::kImmersedMidship}) {
+      try {
+        numbers.gradient(number);
+        ADD_FAILURE() << name_of(number);
+      } catch (const std::invalid_argument& error) {
+        EXPECT_EQ(std::string(error.what()).find("The largest section is a transom"), 0u)
+            << error.what();
+      }
+    }
+    EXPECT_NO_THROW(numbers.gradient(FormNumber::kProjectPrismatic));
+  }
+}
+
+// Nor changed by anything: wholly under water there is no waterplane, and out of it nothing at all.
+TEST(FormNumbers, UndefinedNumbersHaveNoDerivatives) {
+  using N = FormNumber;
+  // By powers of two: what its faces have of a waterplane adds up to nothing, without rounding.
+  const surface::LimitSurface surface{mesh::ControlMesh(testing::creased_box(8.0, 4.0, 2.0))};
+  const HullBody body(surface, false);
+  const BodyDerivatives derivatives(body);
+  const auto check = [&](double draft, const std::vector<N>& undefined) {
+    FormNumbers numbers(derivatives, {draft, 0.0, 0.0, 4.0}, {8.0, 4.0, 1.0});
+    for (const N number : undefined) {
+      EXPECT_EQ(numbers.value(number), 0.0) << name_of(number);
+      const Gradient gradient = numbers.gradient(number);
+      EXPECT_TRUE(gradient.isZero(0.0)) << name_of(number);
+      EXPECT_TRUE(numbers.scaling(number, gradient).isZero(0.0)) << name_of(number);
+    }
+  };
+  check(5.0, {N::kLcf, N::kLcfPercent, N::kTcf, N::kBmTransverse, N::kBmLongitudinal,
+              N::kKmTransverse, N::kKmLongitudinal, N::kImmersedVerticalPrismatic});
+  std::vector<N> all;
+  for (int k = 0; k < static_cast<int>(N::kCount); ++k) all.push_back(static_cast<N>(k));
+  check(-1.0, all);
 }
 
 TEST(FormNumbers, ScalingIsThatOfHullAndWater) {

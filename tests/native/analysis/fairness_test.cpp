@@ -146,6 +146,17 @@ TEST(FlatRegions, BordersOfRandomFlatSheetsEncloseTheirAreas) {
   }
 }
 
+// All cells of a cube laid flat have an irregular corner.
+TEST(Flatness, OfAFlatPartThereIsAPoint) {
+  mesh::MeshArrays arrays = testing::cube();
+  for (Vector3d& p : arrays.points) p.z() = 1.0;
+  const surface::LimitSurface surface{mesh::ControlMesh(arrays)};
+  const Plane plane{Vector3d::UnitZ(), 1.0};
+  const Flatness found = flatness(surface, flat_part_of_faces(surface, {0}), plane, 1e-6);
+  EXPECT_LT(found.surface_distance, 1e-12);
+  EXPECT_NEAR(found.surface_point.z(), 1.0, 1e-12);
+}
+
 TEST(Flatness, LargestDistanceIsAboveAllSamples) {
   std::mt19937 random(6);
   std::uniform_real_distribution<double> unit(0.0, 1.0);

@@ -40,6 +40,36 @@ TEST(MeshCheck, SoundMeshesHaveNoProblems) {
   EXPECT_TRUE(check_mesh(testing::prism(7)).empty());
 }
 
+TEST(ControlMesh, PointsWithoutFacesHaveNoSize) {
+  MeshArrays arrays = cube();
+  arrays.points.emplace_back(1000.0, 0.0, 0.0);
+  const ControlMesh mesh(arrays), plain(cube());
+  EXPECT_EQ(mesh.size(), plain.size());
+  EXPECT_EQ(mesh.box().max(), plain.box().max());
+  arrays.points.back().y() = -3000.0;
+  for (int i = 0; i < 8; ++i) arrays.points[i] *= 2.0;
+  EXPECT_EQ(mesh.with_points(arrays.points).size(), 2.0 * plain.size());
+}
+
+TEST(ControlMesh, WarnsOfItsPointsAsTheyAre) {
+  MeshArrays arrays = grid(2, 1);
+  arrays.points.emplace_back(9.0, 9.0, 9.0);
+  arrays.creases = {{0, 5}};
+  const ControlMesh sound(arrays);
+  for (const int p : {1, 3, 4}) arrays.points[p] = arrays.points[0];
+  const ControlMesh flat(arrays), moved = sound.with_points(arrays.points);
+  const auto messages = [](const std::vector<MeshProblem>& problems) {
+    std::vector<std::string> result;
+    for (const MeshProblem& problem : problems) result.push_back(problem.message);
+    return result;
+  };
+  EXPECT_EQ(sound.warnings().size(), 2u);
+  EXPECT_EQ(flat.warnings().size(), 3u);
+  EXPECT_EQ(messages(flat.warnings()), messages(check_mesh(arrays)));
+  EXPECT_EQ(messages(moved.warnings()), messages(flat.warnings()));
+  EXPECT_EQ(messages(flat.with_points(sound.points()).warnings()), messages(sound.warnings()));
+}
+
 TEST(MeshCheck, EdgeOfThreeFaces) {
   MeshArrays mesh = cube();
   mesh.points.emplace_back(0.0, 0.0, 5.0);

@@ -53,6 +53,57 @@ TEST(MichellIntegral, RefusesOnceItsBodyHasChanged) {
               2.0 * speed * speed / (0.25 * kGravity), 1e-12 * speed * speed);
 }
 
+// Neither its length nor its tolerances are those of points that the surface does not know.
+TEST(MichellIntegral, IsThatOfTheSurface) {
+  mesh::MeshArrays stray = testing::cube();
+  stray.points.emplace_back(40.0, 7.0, -9.0);
+  const auto resistance = [](const mesh::MeshArrays& mesh) {
+    const surface::LimitSurface surface{mesh::ControlMesh(mesh)};
+    const analysis::HullBody body(surface, false);
+    const MichellIntegral integral(body, {0.1, 0.0, 0.0, 0.0});
+    EXPECT_EQ(integral.length(), 2.0);
+    return integral.resistance({2.0})[0].resistance;
+  };
+  EXPECT_EQ(resistance(stray), resistance(testing::cube()));
+}
+
+// However few waves are asked for: what is said to have been taken is what was, and the grid is
+// fine enough for it, at low speeds too.
+TEST(MichellIntegral, SaysWhichWavesItTook) {
+  const surface::LimitSurface surface{mesh::ControlMesh(testing::cube())};
+  const analysis::HullBody body(surface, false);
+  const MichellIntegral integral(body, {0.1, 0.0, 0.0, 0.0});
+  for (const double froude : {0.06, 0.08, 0.1, 0.2, 0.5}) {
+    const double speed = froude * std::sqrt(kGravity * integral.length());
+    const WaveResistance more = integral.resistance_to(speed, 24.0);
+    for (const double shortest : {1.0001, 1.2, 1.5, 1.9, 8.0}) {
+      const WaveResistance few = integral.resistance_to(speed, shortest);
+      EXPECT_GT(few.shortest, 1.0);
+      EXPECT_GT(few.error, 0.0) << froude << ", " << shortest;
+      // A grid for the waves that were taken: the same integral.
+      const WaveResistance same = integral.resistance_to(speed, few.shortest);
+      EXPECT_EQ(same.shortest, few.shortest);
+      EXPECT_NEAR(same.resistance, few.resistance, 1e-7 * same.resistance);
+      // An error is a bound, where there is one.
+      EXPECT_LE(more.resistance - few.resistance, few.error);
+    }
+  }
+}
+
+TEST(MichellIntegral, RefusesShortestWavesThatAreNone) {
+  const surface::LimitSurface surface{mesh::ControlMesh(testing::cube())};
+  const analysis::HullBody body(surface, false);
+  const analysis::BodyDerivatives derivatives(body);
+  const MichellIntegral integral(body, {0.1, 0.0, 0.0, 0.0});
+  for (const double shortest : {0.5, 1.0, std::nan(""), 1e9}) {
+    const auto refused = [&](const auto& query) {
+      EXPECT_EQ(words_of(query).find("The shortest wave's λ must be"), 0u) << shortest;
+    };
+    refused([&] { integral.resistance_to(2.0, shortest); });
+    refused([&] { integral.gradient_to(derivatives, 2.0, shortest); });
+  }
+}
+
 TEST(MichellIntegral, HasDerivativesOfItsOwnBodyAlone) {
   surface::LimitSurface surface{mesh::ControlMesh(testing::cube())};
   const surface::LimitSurface other{mesh::ControlMesh(testing::prism(7))};

@@ -65,6 +65,16 @@ TEST(SourceGridTest, IntegralOfOneSourceIsThatOfItsDepth) {
   EXPECT_NEAR(integral.value, closed, 1e-8 * closed);
 }
 
+// Its length is rounded once: a rounded one, rounded anew, may be the next.
+TEST(SourceGridTest, IntegralsReachSixIntervalsWhateverTheLength) {
+  for (double length = 1.0; length < 4.0; length += 0.05) {
+    SourceGrid grid(0.0, length, 1.0, {0.1, 200.0, 4e5});
+    grid.add(0.3, 1e-9, 1.0);  // near enough to the water for all waves
+    grid.take_all();
+    EXPECT_EQ(WaveSums(grid).integral(0.1, 0.0, 1.5).parts.size(), 5u) << length;
+  }
+}
+
 TEST(SourceGridTest, DerivativesOfTheIntegralAreItsDifferences) {
   const WaveScales scales{2.0, 32.0, 512.0};
   const std::vector<Source> sources = some_sources(0.0, 10.0, 1.0);
