@@ -116,9 +116,7 @@ def test_chines_of_unequal_counts_are_sampled(tmp_path):
 
 def _long(count):
     x = np.linspace(0.0, 4.0, count)
-    return [
-        np.stack([x, y + 0.0 * x, z + 0.1 * np.sin(x)], axis=1) for y, z in ((0, 0), (1, 0.5))
-    ]
+    return [np.stack([x, y + 0.0 * x, z + 0.1 * np.sin(x)], axis=1) for y, z in ((0, 0), (1, 0.5))]
 
 
 def test_long_chines_take_memory_by_their_points():

@@ -267,7 +267,7 @@ def values_of(field, obj):
 
 
 def _points_of(curve, obj):
-    """Equal for a curve object that shows the same; of one that is no line for what is said of it."""
+    """Equal for a curve object that shows the same; of one that is no line what is said of it."""
     if curve is None:
         return None
     try:
