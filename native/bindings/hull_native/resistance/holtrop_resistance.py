@@ -158,6 +158,11 @@ def _take_form_coefficients(c, ship, edition):
     )
     c["lambda"] = 1.446 * cp - (0.03 / slender if slender > 1.0 / 12.0 else 0.36)
     c["m1"] = 0.0140407 * ship.length / ship.draft - 1.75254 / light - 4.79323 * slender - c["c16"]
+    if c["m1"] > 0.0:
+        raise ValueError(
+            f"Holtrop's waves would grow without bound at low speeds for a length of "
+            f"{ship.length / ship.draft:.4g} drafts: check the drafts, or take Michell's integral."
+        )
 
 
 def _hump(c, froude, edition):
