@@ -195,3 +195,13 @@ def test_what_is_no_hull_is_refused():
     network, _ = lines_of(sample_surface("container_ship"), 9, 4)
     with pytest.raises(ValueError, match="simplest layout has 1[34]. control points.*of 100"):
         hn.hull_from_network(network, budget=100)
+
+
+@pytest.mark.parametrize("top, told", [(-1.0, "is a flat end"), (0.0, r"lies at x = 0\.000 m")])
+def test_an_end_without_a_shell_is_refused(top, told):
+    corners = [(0, 0, 0), (0, 3, 0), (top, 3, 2), (top, 0, 2)]
+    sides = zip("ABCD", corners, [*corners[1:], corners[0]])
+    network = hn.CurveNetwork([hn.NetworkCurve(name, [a, b]) for name, a, b in sides], 1e-3)
+    assert network.region_count == 1
+    with pytest.raises(ValueError, match=f"No part of the network is a shell: all of it {told}"):
+        hn.hull_from_network(network)

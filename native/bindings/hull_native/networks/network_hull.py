@@ -114,6 +114,11 @@ def hull_from_network(network, *, tolerance=None, budget=None, layout=None, prog
     """
     places, curve_numbers = _places(network)
     length = float(np.ptp(places[:, 0]))
+    if not length > 0.0:
+        raise ValueError(
+            f"No part of the network is a shell: all of it lies at x = {places[0, 0]:.3f} m. Give "
+            "the curves of the shell along the ship, too."
+        )
     tolerance = _TOLERANCE * length if tolerance is None else float(tolerance)
     if not tolerance > 0.0:
         raise ValueError("tolerance has to be above zero.")
