@@ -5,6 +5,7 @@ import math
 from dataclasses import dataclass, fields, replace
 
 from .. import _core
+from .side_by_side import is_side_by_side
 
 # Of the models in the regression: prismatic coefficient, length to beam and Froude numbers from the
 # table of ship types in Holtrop & Mennen (1978); beam to draft, and slender hulls and speeds of the
@@ -15,10 +16,6 @@ _RANGES = (
     ("beam to draft", lambda ship: ship.beam / ship.draft, 2.1, 4.0),
 )
 _MOST_FROUDE = {1982: 0.45, 1984: 0.8}
-
-# The broadest of so many stations of one hull has the waterline's breadth but for 2 %, though a
-# tunnel or a well may lie at others; two hulls have not so much of it even where they nearly touch.
-_STATIONS, _ONE_HULL = 25, 0.9
 
 
 @dataclass(frozen=True)
@@ -250,13 +247,6 @@ def holtrop_ship(body, *, draft, trim=0.0, draft_at=0.0, **given):
         "transom_area": transom,
         "bulb_area": stem,
         "bulb_height": ends.centroids[1][2] if stem > 0.0 else 0.0,
-        "side_by_side": _is_side_by_side(body, water, draft, trim, draft_at),
+        "side_by_side": is_side_by_side(body, water, draft, trim, draft_at),
     }
     return HoltropShip(**{**measured, **given})
-
-
-def _is_side_by_side(body, water, draft, trim, draft_at):
-    ends = water.waterline_aft, water.waterline_forward
-    stations = [ends[0] + (ends[1] - ends[0]) * (i + 0.5) / _STATIONS for i in range(_STATIONS)]
-    found = _core.section_areas(body, stations, draft=draft, trim=trim, draft_at=draft_at)
-    return max(found.breadths) < _ONE_HULL * water.waterline_beam

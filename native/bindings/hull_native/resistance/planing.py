@@ -11,6 +11,7 @@ from .._resistance import GRAVITY, ittc_1957
 from .deadrise import bottom_deadrise
 from .planing_run import PlaningRun
 from .positive_numbers import check_positive, require_positive
+from .side_by_side import is_side_by_side
 from .water import water_viscosity
 
 _ROUGHNESS = 0.0004  # the ATTC's standard allowance
@@ -20,7 +21,8 @@ _ROUGHNESS = 0.0004  # the ATTC's standard allowance
 class PlaningBoat:
     """beam: mean over the chines that are wet, b. deadrise_deg: its mean. lcg: centre of gravity
     before the transom, along the keel; vcg: above the keel. thrust_angle_deg: of the shaft against
-    the keel, thrust_arm: distance of its line below the centre of gravity, f."""
+    the keel, thrust_arm: distance of its line below the centre of gravity, f. side_by_side:
+    hulls beside one another, which the formulas do not know."""
 
     mass_t: float
     beam: float
@@ -29,6 +31,7 @@ class PlaningBoat:
     vcg: float
     thrust_angle_deg: float = 0.0
     thrust_arm: float = 0.0
+    side_by_side: bool = False
 
     def __post_init__(self):
         check_positive(self, "A planing boat's", ("mass_t", "beam", "lcg"))
@@ -148,6 +151,7 @@ def planing_boat(body, *, draft, vcg, trim=0.0, draft_at=0.0, **given):
         "mass_t": water.displacement_t,
         "beam": water.waterline_beam,
         "lcg": water.lcb - water.waterline_aft,
+        "side_by_side": is_side_by_side(body, water, draft, trim, draft_at),
     }
     if "deadrise_deg" not in given:
         angle = bottom_deadrise(body, draft=draft, trim=trim, draft_at=draft_at)
