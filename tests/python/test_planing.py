@@ -142,6 +142,27 @@ def test_bad_speeds(speed):
         hn.savitsky(BOAT, [speed])
 
 
+@pytest.mark.parametrize(
+    "speed, trim, how, said",
+    [
+        (20.0, 0.0, {}, "trim must be above 0° and below 90°, not 0.0°"),
+        (20.0, -1.0, {}, "trim must be above 0°"),
+        (20.0, math.nan, {}, "trim must be above 0°"),
+        (20.0, 90.0, {}, "below 90°"),
+        (0.0, 4.0, {}, "speed must be a number above zero"),
+        (20.0, 4.0, {"viscosity": 0.0}, "viscosity must be a number above zero"),
+        (20.0, 4.0, {"gravity": -1.0}, "gravity must be a number above zero"),
+        (20.0, 4.0, {"roughness_allowance": math.nan}, "roughness_allowance must be a finite"),
+    ],
+)
+def test_bad_numbers_at_held_trims(speed, trim, how, said):
+    with pytest.raises(ValueError, match=said):
+        hn.planing_at_trims(BOAT, speed, [trim], **how)
+    if "roughness_allowance" in how:
+        with pytest.raises(ValueError, match=said):
+            hn.savitsky(BOAT, [speed], **how)
+
+
 def test_bad_boats():
     for change, said in (
         ({"mass_t": 0.0}, "mass_t must be above zero"),
