@@ -122,6 +122,13 @@ def test_pieces_of_both_sides_are_nested():
     np.testing.assert_allclose(starboard.min(axis=0), port.min(axis=0), atol=1e-12)
     np.testing.assert_allclose(starboard.max(axis=0), port.max(axis=0), atol=1e-12)
     used = hn.nesting(pieces, [(12.5, 7.0)])
+    # Of pairs both pieces are laid, and what a plate is called makes it no pair.
+    laid, of_pairs = ([place for s in made for place in s.laid] for made in (
+        used, hn.nesting(listed, [(12.5, 7.0)])
+    ))  # fmt: skip
+    assert of_pairs == laid
+    (called,) = hn.plate_list([listed[0].plate], thickness=0.01, names=["Bow P/S"])
+    assert not called.is_pair and [piece.name for piece in called.pieces] == ["Bow P/S"]
     assert sum(len(stock.laid) for stock in used) == 4
     drawn = hn.nesting_drawing(used[0], "S1").lines
     places = np.concatenate([line for layer, line in drawn if layer == "OUTLINE"])
