@@ -156,6 +156,8 @@ def _laid(network, places, tolerance, budget, progress):
             )
             fit = _grown(grid, targets, flats, way, additions, told, bends)
         except ValueError as error:
+            if error is told.raised:
+                raise
             refused.append((way.columns * way.rows, number, error))
             continue
         distances = np.asarray(SurfaceTree(fit.surface).closest_points(places).distances)
@@ -195,11 +197,13 @@ def _grown(grid, targets, flats, way, additions, told, curves):
 
 
 class _Progress:
-    """Tells of a share, from `start` over `width`, that grows with the points."""
+    """Tells of a share, from `start` over `width`, that grows with the points. raised: what ended
+    the work in doing so."""
 
     def __init__(self, progress, budget, start, width):
         self._progress, self._budget, self._told = progress, budget, start
         self._start, self._width = start, width
+        self.raised = None
 
     def at(self, count):
         if self._progress is None:
@@ -209,7 +213,11 @@ class _Progress:
 
         def told(share):
             self._told = max(self._told, low + 0.2 * (high - low) * share)
-            self._progress(self._told)
+            try:
+                self._progress(self._told)
+            except Exception as error:
+                self.raised = error
+                raise
 
         return told
 
