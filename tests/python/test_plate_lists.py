@@ -89,6 +89,8 @@ def test_frames_by_ranges():
     for ranges, words in (
         ([], "needs a range"),
         ([(0, 4, 0.0)], "is none"),
+        ([(0, 10.7, 0.6)], "whole numbers, not 10.7"),
+        ([(0, math.inf, 0.6)], "whole numbers, not inf"),
         ([(0, 4, 0.5), (5, 8, 0.5)], "let them meet"),
         ([(2, 4, 0.5)], "leave out frame 0"),
     ):
