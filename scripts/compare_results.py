@@ -34,7 +34,7 @@ def leaves(value, path=""):
     """Pairs (path, array or text) of all that a result holds; items of a list share a path."""
     if value is None or isinstance(value, str):
         yield path, str(value)
-    elif isinstance(value, (bool, int, float, np.generic, np.ndarray)):
+    elif isinstance(value, (bool, int, float, complex, np.generic, np.ndarray)):
         yield path, np.asarray(value)
     elif isinstance(value, dict):
         for key, part in value.items():
@@ -68,8 +68,19 @@ def records(result):
             numbers.append(np.array(_DECIMAL.findall(leaf), dtype=float))
         else:
             words.append(f"{leaf.dtype.kind}{leaf.shape}")
-            numbers.append(leaf.ravel())
+            numbers.append(_as_doubles(leaf.ravel()))
     return {path: _record(words, numbers) for path, (words, numbers) in found.items()}
+
+
+def _as_doubles(leaf):
+    """All of a row's numbers as doubles: parts of complex ones, and of integers that are too large
+    for one, what that rounds them to and what it leaves."""
+    if leaf.dtype.kind == "c":
+        return np.stack([leaf.real, leaf.imag], axis=-1).ravel()
+    if leaf.dtype.kind in "iu" and (leaf.astype(float).astype(object) != leaf.astype(object)).any():
+        exact = [int(value) for value in leaf]
+        return np.array([part for n in exact for part in (float(n), float(n - int(float(n))))])
+    return leaf
 
 
 def _record(words, numbers):
@@ -108,7 +119,7 @@ def numbers_of(record):
 
 def difference(before, after):
     """In words; None where both are bit-equal."""
-    if before["form"] != after["form"]:
+    if (before["form"], before["count"]) != (after["form"], after["count"]):
         return f"other shape or words ({before['count']} numbers before, {after['count']} now)"
     if before["hash"] == after["hash"]:
         return None
@@ -134,7 +145,7 @@ def renamed(key, names):
 
 def compare(before, after):
     """Tells all differences; how many there are."""
-    found = 0
+    found = equal = 0
     for key in [*before, *(key for key in after if key not in before)]:
         if key in before and key in after:
             told = difference(before[key], after[key])
@@ -143,9 +154,16 @@ def compare(before, after):
         if told:
             found += 1
             print(f"{key}: {told}")
-    equal = sum(key in after for key in before) - found
-    print(f"{max(equal, 0)} of {len(before)} results are bit-equal, {found} differ")
+        else:
+            equal += 1
+    print(f"{equal} of {len(before)} results are bit-equal, {found} differ")
     return found
+
+
+def _check_known(parser, what, names, known):
+    for name in names:
+        if name not in known:
+            parser.error(f"there is no {what} {name!r}; these are: {', '.join(known)}")
 
 
 def main():
@@ -154,21 +172,28 @@ def main():
     parser.add_argument("--only", action="append", metavar="SUBJECT")
     parser.add_argument("rest", nargs="*", metavar="FILE or SAMPLE")
     given = parser.parse_args()
+    from results import RENAMED, SUBJECTS
+
+    _check_known(parser, "subject", given.only or [], SUBJECTS)
     if given.write:
+        import vessels
+
+        _check_known(parser, "sample", given.rest, vessels.names())
         given.write.write_text(json.dumps(computed(given.rest, given.only)), encoding="ascii")
         return
     if not 1 <= len(given.rest) <= 2:
         parser.error("give the file of the results before, or two files")
     before, *others = (json.loads(Path(path).read_text(encoding="ascii")) for path in given.rest)
-    if given.only:
-        before = {key: row for key, row in before.items() if key.split(": ")[1] in given.only}
-    from results import RENAMED
-
     samples = list(dict.fromkeys(key.split(": ")[0] for key in before))
     after = others[0] if others else computed(samples, given.only)
     # Either may be from before a change of names or from after it.
     before, after = (
-        {renamed(key, RENAMED): row for key, row in rows.items()} for rows in (before, after)
+        {
+            renamed(key, RENAMED): row
+            for key, row in rows.items()
+            if not given.only or key.split(": ")[1] in given.only
+        }
+        for rows in (before, after)
     )
     sys.exit(1 if compare(before, after) else 0)
 

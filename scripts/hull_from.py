@@ -23,8 +23,10 @@ from hull_io.errors import HullFileError
 from hull_io.geometry import read_geometry
 from hull_io.geometry.guessing import AXES
 from hull_io.geometry.values import METRES_PER_UNIT
+from hull_native import FolderBeside
 
 _POINTS = (20, 1000)
+_REPORT = "report.json"
 
 
 class _Parser(argparse.ArgumentParser):
@@ -32,17 +34,27 @@ class _Parser(argparse.ArgumentParser):
         sys.exit(f"hull from: {message} (./hull from --help tells what can be given)")
 
 
+def _number(kind, text):
+    """None where the text is no number of this kind."""
+    try:
+        return kind(text)
+    except ValueError:
+        return None
+
+
 def _positive(text):
-    value = float(text)
-    if not (math.isfinite(value) and value > 0.0):
+    value = _number(float, text)
+    if value is None or not (math.isfinite(value) and value > 0.0):
         raise argparse.ArgumentTypeError(f"it is a number above zero, not '{text}'")
     return value
 
 
 def _budget(text):
-    value = int(text)
-    if not _POINTS[0] <= value <= _POINTS[1]:
-        raise argparse.ArgumentTypeError(f"from {_POINTS[0]} to {_POINTS[1]}, not '{text}'")
+    value = _number(int, text)
+    if value is None or not _POINTS[0] <= value <= _POINTS[1]:
+        raise argparse.ArgumentTypeError(
+            f"it is a whole number from {_POINTS[0]} to {_POINTS[1]}, not '{text}'"
+        )
     return value
 
 
@@ -85,8 +97,20 @@ def _path_of(given):
     return path
 
 
-def _show_progress(share):
-    print(f"\rFitting: {100.0 * share:.0f} %", end="", file=sys.stderr, flush=True)
+class _Progress:
+    """Tells in one line of a terminal how far the fit is; elsewhere nothing."""
+
+    def __init__(self):
+        self._is_watched, self._is_begun = sys.stderr.isatty(), False
+
+    def __call__(self, share):
+        if self._is_watched:
+            print(f"\rFitting: {100.0 * share:.0f} %", end="", file=sys.stderr, flush=True)
+            self._is_begun = True
+
+    def end_line(self):
+        if self._is_begun:
+            print(file=sys.stderr)
 
 
 def _tell(report):
@@ -111,16 +135,28 @@ def _tell(report):
 
 
 def _write(made, folder):
-    folder.mkdir(parents=True, exist_ok=True)
+    """All files, or none."""
     stations = station_overlays(made.shell, made.fitted)
     told = [
         {"x": one.x, "rms": one.rms, "largest": one.largest, "place": list(one.place)}
         for one in stations
     ]
-    hull_io.write_hull_file(made.data, folder / f"{made.data.name}.hull.json")
-    overlays.draw(made.data.name, stations, made.report["draft"], folder / "sections")
     text = json.dumps({**made.report, "stations": told}, indent=1)
-    (folder / "report.json").write_text(text + "\n")
+    names = (f"{made.data.name}.hull.json", _REPORT, "sections.pdf", "sections.png")
+    folder.mkdir(parents=True, exist_ok=True)
+    with FolderBeside([folder / name for name in names]) as aside:
+        hull_io.write_hull_file(made.data, aside / names[0])
+        (aside / _REPORT).write_text(text + "\n")
+        overlays.draw(made.data.name, stations, made.report["draft"], aside / "sections")
+        aside.hand_over([aside / name for name in names])
+
+
+def _source_in(folder):
+    """The name of the file that the hull in a folder was made of; None where none is told."""
+    try:
+        return json.loads((folder / _REPORT).read_text()).get("source")
+    except (OSError, ValueError, AttributeError):
+        return None
 
 
 def main():
@@ -131,25 +167,28 @@ def main():
         if (value := getattr(given, name)) is not None
     }
     tolerance = None if given.tolerance is None else 1e-3 * given.tolerance
-    is_watched = sys.stderr.isatty()
+    progress = _Progress()
     try:
         geometry = read_geometry(_path_of(given))
         made = hull_from_geometry(
             geometry, budget=given.points, tolerance=tolerance, draft=given.draft,
             stern_post=not given.no_post, knuckles=not given.no_knuckles,
-            progress=_show_progress if is_watched else None, **known
+            progress=progress, **known
         )  # fmt: skip
         folder = given.into / made.data.name
+        before = _source_in(folder)
         _write(made, folder)
     except (HullFileError, ValueError, OSError) as error:
+        progress.end_line()
         sys.exit(f"hull from: {error}")
     except KeyboardInterrupt:
         sys.exit("\nhull from: ended by Ctrl C; nothing was made")
-    if is_watched:
-        print(file=sys.stderr)
+    progress.end_line()
     seen = os.path.relpath(folder, given.called_from)
     seen = folder.resolve() if seen.startswith("..") else seen
     print(f"{seen}/{made.data.name}.hull.json, report.json, sections.pdf, sections.png")
+    if before not in (None, made.report["source"]):
+        print(f"the hull of {before}, which was there, was replaced")
     _tell(made.report)
 
 

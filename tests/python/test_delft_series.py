@@ -221,6 +221,14 @@ def test_exact_hull():
     assert hn.resistance_csv(rows).count("\n") == 3
 
 
+@pytest.mark.parametrize("name, is_told", [("catamaran", True), ("sailing_yacht", False)])
+def test_hulls_beside_one_another_are_told(name, is_told):
+    sample = Sample(name)
+    yacht = hn.delft_yacht(sample.body, draft=sample.ship.draft)
+    (found,) = hn.delft(yacht, [3.0])
+    assert any("beside one another" in text for text in found.outside) == is_told
+
+
 @pytest.mark.parametrize(
     "make, said",
     [

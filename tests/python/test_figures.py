@@ -174,6 +174,13 @@ def test_all_figures_are_files(ending, tmp_path):
     assert len(told) > 10 and told == sorted(told) and told[-1] == pytest.approx(1.0)
 
 
+def test_what_is_asked_for_twice_is_written_once(tmp_path):
+    how = {"endings": (".svg", ".pdf", ".svg"), "figures": ["control-mesh"] * 2}
+    written = hn.write_hull_figures(form_of("barge").body, tmp_path / "barge", **how)
+    assert [path.name for path in written] == [f"barge-control-mesh.{e}" for e in ("svg", "pdf")]
+    assert sorted(tmp_path.iterdir()) == sorted(written)
+
+
 def test_refusals(tmp_path):
     form = form_of("barge")
     for path, more, said in (

@@ -76,6 +76,18 @@ def test_what_is_no_file_is_refused(tmp_path):
     assert sorted(os.listdir(tmp_path)) == before
 
 
+def test_the_same_file_twice_or_none_is_refused(tmp_path):
+    (tmp_path / "a").write_text("before")
+    (tmp_path / "link").symlink_to("a")
+    for names in (("a", "a"), ("a", "b", "link")):
+        with pytest.raises(OSError, match="it is given twice; give another name"):
+            write([tmp_path / name for name in names])
+    with pytest.raises(ValueError, match="no file to be written"):
+        write([])
+    assert sorted(os.listdir(tmp_path)) == ["a", "link"]
+    assert (tmp_path / "a").read_text() == "before"
+
+
 def test_all_are_on_the_disk_before_the_first_has_its_name(tmp_path, monkeypatch):
     told = []
     fsync, replace = os.fsync, os.replace

@@ -201,3 +201,29 @@ def test_bad_speeds_and_waters():
         hn.holtrop_ship(hull.body, draft=-1.0)
     with pytest.raises(ValueError, match="no field of HoltropShip"):
         hn.holtrop_ship(hull.body, draft=hull.ship.draft, breadth=3.0)
+
+
+SHALLOW = {"draft_forward": 0.1, "draft_aft": 0.1, "displaced_volume": 28.0, "transom_area": 0.0}
+
+
+@pytest.mark.parametrize(
+    "changes, words",
+    [
+        ({"waterplane": 1.0, "entrance_angle_deg": None}, "give entrance_angle_deg"),
+        ({"transom_area": 1e3}, "transom_area below"),
+        (SHALLOW, "for a length of 500 drafts: check the drafts"),
+    ],
+)
+def test_forms_at_which_a_formula_has_no_value_are_refused(changes, words):
+    with pytest.raises(ValueError, match=words):
+        hn.holtrop(dataclasses.replace(SHIP_1984, **changes), [0.3, 10.0])
+
+
+def test_a_hull_whose_water_lies_at_its_zero_is_refused():
+    """Drafts are to z = 0, which is not its keel."""
+    hull = Sample("coaster")
+    points = hull.surface.mesh.points - (0.0, 0.0, 3.0)
+    hull.surface.set_points(points)
+    body = hn.HullBody(hull.surface, mirrored=True)
+    with pytest.raises(ValueError, match="move the hull onto its base line"):
+        hn.holtrop_ship(body, draft=0.0)

@@ -136,6 +136,43 @@ def test_propulsion_is_as_printed(name):
         assert rounds_to(example(readings).propulsion[name], PROPULSION[name])
 
 
+def results(edition, speeds, readings=None):
+    propeller = hn.Propeller(8.0, area_ratio=0.7393)
+    how = {"edition": edition, "propeller": propeller, "readings": readings}
+    return hn.holtrop(SHIP, speeds, **WATER, **how)
+
+
+def numbers(result):
+    return result.total, *result.propulsion.values()
+
+
+@pytest.mark.parametrize("edition", (1982, 1984))
+def test_each_reading_counts(edition):
+    """Whatever is told as a coefficient of the ship has its part in a number, at some speed."""
+    root = math.sqrt(WATER["gravity"] * SHIP.length)
+    speeds = [froude * root for froude in (0.1, 0.29, 0.45, 0.6)]
+    plain, moved = results(edition, speeds), set()
+    names = set().union(*(result.coefficients for result in plain))
+    for name in names:
+        value = next(r.coefficients[name] for r in plain if name in r.coefficients)
+        read = results(edition, speeds, {name: 0.99 * value if value else 0.5})
+        if any(numbers(one) != numbers(other) for one, other in zip(plain, read)):
+            moved.add(name)
+    assert moved == names
+
+
+def test_readings_of_what_is_in_use_at_some_speeds_alone():
+    root = math.sqrt(WATER["gravity"] * SHIP.length)
+    speeds = [0.3 * root, 0.5 * root]
+    slow, fast = results(1984, speeds, {"m3": -2.5})
+    assert "m3" not in slow.coefficients and fast.coefficients["m3"] == -2.5
+    assert slow.total == results(1984, speeds)[0].total
+    assert fast.total != results(1984, speeds)[1].total
+    with pytest.raises(ValueError, match="'m3' is no coefficient of this ship at these speeds"):
+        results(1984, speeds[:1], {"m3": -2.5})
+    assert results(1984, [], {"m3": -2.5}) == []
+
+
 def test_readings_are_checked():
     with pytest.raises(ValueError, match="'c17' is no coefficient of this ship"):
         example({"c17": 1.0})

@@ -1,10 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Hulls of triangles: what is found of them, and control meshes laid over them and fitted."""
 
+import dataclasses
+import io
 import json
 import os
 import sys
 from pathlib import Path
+from types import SimpleNamespace
 from unittest import mock
 
 import hull_from
@@ -221,7 +224,8 @@ def command():
         (["--tolerance", "nan", "nothing.stl"], "above zero, not 'nan'"),
         (["nothing.stl", "--tolerance", "inf"], "above zero, not 'inf'"),
         (["nothing.stl", "--draft", "-1"], "above zero, not '-1'"),
-        (["nothing.stl", "--points", "1e9"], "--points"),
+        (["nothing.stl", "--draft", "abc"], "above zero, not 'abc'"),
+        (["nothing.stl", "--points", "1e9"], "whole number from 20 to 1000, not '1e9'"),
         (["nothing.stl", "--points", "5000"], "from 20 to 1000"),
         (["nothing.stl", "--forward", "-x"], "nothing.stl: "),
         (["nothing.stl", "--forward", "north"], "--forward"),
@@ -237,6 +241,54 @@ def test_the_command_tells_in_a_sentence_what_it_can_not_do(command, tmp_path, a
     told = ended.value.code
     assert told.startswith("hull from: ") and words in told and len(told.splitlines()) == 1
     assert sorted(entry.name for entry in tmp_path.iterdir()) == ["folder", "nothing.stl"]
+
+
+class Terminal(io.StringIO):
+    def isatty(self):
+        return True
+
+
+def fitted_box(name, progress, **_):
+    """As hull_from_geometry() of a file of that name, but for the fit."""
+    progress(0.4)
+    data = dataclasses.replace(sample("barge")[1], name="box")
+    return SimpleNamespace(
+        data=data, report={"source": name, "draft": 2.0}, shell=None, fitted=None
+    )
+
+
+def drawn_empty(name, stations, draft, stem):
+    for ending in ("pdf", "png"):
+        Path(f"{stem}.{ending}").write_text(f"{name} {stem.name}")
+
+
+def test_the_command_replaces_all_files_or_none(command, tmp_path, monkeypatch, capsys):
+    folder = tmp_path / "out" / "box"
+    for file in ("box.stl", "box.obj"):
+        (tmp_path / file).write_bytes(b"")
+    for name, made in (
+        ("read_geometry", lambda path: path.name),
+        ("hull_from_geometry", fitted_box),
+        ("station_overlays", lambda *_: []),
+        ("_tell", lambda report: None),
+    ):
+        monkeypatch.setattr(hull_from, name, made)
+    monkeypatch.setattr(hull_from.overlays, "draw", drawn_empty)
+    command(tmp_path, "box.stl")
+    names = ["box.hull.json", "report.json", "sections.pdf", "sections.png"]
+    assert sorted(os.listdir(folder)) == names and "was replaced" not in capsys.readouterr().out
+    before = {name: (folder / name).read_bytes() for name in names}
+    terminal = Terminal()
+    with monkeypatch.context() as patched:
+        # The disk is full by the time of the pictures; a line is open in the terminal.
+        patched.setattr(hull_from.overlays, "draw", mock.Mock(side_effect=OSError("disk full")))
+        patched.setattr(sys, "stderr", terminal)
+        with pytest.raises(SystemExit, match="hull from: disk full"):
+            command(tmp_path, "box.obj")
+    assert terminal.getvalue() == "\rFitting: 40 %\n"
+    assert {name: (folder / name).read_bytes() for name in os.listdir(folder)} == before
+    command(tmp_path, "box.obj")
+    assert "the hull of box.stl, which was there, was replaced\n" in capsys.readouterr().out
 
 
 @pytest.mark.skipif(not ALL, reason="HULL_LONG_TESTS=1")

@@ -9,6 +9,8 @@ import numpy as np
 import pytest
 import vessels
 from hull_fairness.lines import judged
+from hull_native.networks.hull_grid import laid_grid
+from hull_native.networks.hull_outline import HullOutline
 from test_curve_networks import lines_of, sample_surface, square_net
 
 
@@ -154,6 +156,46 @@ def test_progress_rises_and_ends_what_it_interrupts():
         hn.hull_from_network(network, progress=stop)
 
 
+@pytest.mark.parametrize("end", [KeyboardInterrupt, ValueError, RuntimeError])
+def test_what_progress_raises_is_no_refusal_of_a_layout(end):
+    network, _ = lines_of(sample_surface("coaster"), 9, 4)
+    calls = []
+
+    def stop(share):
+        calls.append(share)
+        raise end("enough")
+
+    with pytest.raises(end, match="enough"):
+        hn.hull_from_network(network, progress=stop)
+    assert len(calls) == 1
+
+
+class PrismaticGirths:
+    """As GirthLines of a hull whose sections are all alike but for what they were drawn with."""
+
+    def __init__(self, noise):
+        self._noise, self._random = noise, np.random.default_rng(20261129)
+
+    def at(self, x):
+        profile = np.array([(0, 0), (1, 0), (2, 0), (2, 1), (2, 2), (2, 3)], dtype=float)
+        profile = profile + self._noise * self._random.normal(size=profile.shape)
+        return np.column_stack([np.full(len(profile), x), profile])
+
+
+@pytest.mark.parametrize("noise", [0.0, 1e-6])
+def test_rows_of_sections_that_are_all_alike_are_even(noise):
+    contour = np.array([(0, 0, 0), (10, 0, 0)], dtype=float)
+    ends = [np.array([(x, 0, 0), (x, 2, 0), (x, 2, 3)], dtype=float) for x in (0, 10)]
+    outline = HullOutline(
+        None, 10.0, np.zeros(3), np.array([10.0, 2.0, 3.0]), None, contour,
+        contour + [0.0, 2.0, 3.0], *ends,
+    )  # fmt: skip
+    grid = laid_grid(outline, 9, 8, girths=PrismaticGirths(noise))
+    x = [row.x for row in grid.rows if row.kind == "station"]
+    assert np.isfinite(x).all()
+    np.testing.assert_allclose(np.diff(x), np.full(7, (x[-1] - x[0]) / 7.0), rtol=1e-9)
+
+
 # What takes the regions is told, rather than the first problem that there is.
 @pytest.mark.parametrize(
     "name, told",
@@ -195,3 +237,13 @@ def test_what_is_no_hull_is_refused():
     network, _ = lines_of(sample_surface("container_ship"), 9, 4)
     with pytest.raises(ValueError, match="simplest layout has 1[34]. control points.*of 100"):
         hn.hull_from_network(network, budget=100)
+
+
+@pytest.mark.parametrize("top, told", [(-1.0, "is a flat end"), (0.0, r"lies at x = 0\.000 m")])
+def test_an_end_without_a_shell_is_refused(top, told):
+    corners = [(0, 0, 0), (0, 3, 0), (top, 3, 2), (top, 0, 2)]
+    sides = zip("ABCD", corners, [*corners[1:], corners[0]])
+    network = hn.CurveNetwork([hn.NetworkCurve(name, [a, b]) for name, a, b in sides], 1e-3)
+    assert network.region_count == 1
+    with pytest.raises(ValueError, match=f"No part of the network is a shell: all of it {told}"):
+        hn.hull_from_network(network)

@@ -55,6 +55,19 @@ def test_from_a_hull():
     assert hn.planing_boat(hull.body, draft=draft, deadrise_deg=18.0, vcg=0.8, beam=2.0).beam == 2.0
 
 
+def test_hulls_beside_one_another_have_no_deadrise_and_are_told():
+    hull = Sample("catamaran")
+    draft = hull.ship.draft
+    for call in (hn.bottom_deadrise, lambda *a, **how: hn.planing_boat(*a, vcg=1.0, **how)):
+        with pytest.raises(ValueError, match="beside one another .* give the deadrise"):
+            call(hull.body, draft=draft)
+    boat = hn.planing_boat(hull.body, draft=draft, deadrise_deg=12.0, vcg=1.0)
+    one = dataclasses.replace(boat, side_by_side=False)
+    for each, count in ((boat, 1), (one, 0)):
+        ((found, _),) = hn.planing_at_trims(each, 12.0, [4.0])
+        assert sum("beside one another" in text for text in found.outside) == count
+
+
 def v_bottom(deadrise, chine, mirrored=True, rail=0.0):
     """HullBody of a prismatic V, 12 m long, with vertical sides from the chine on; rail: by so much
     a level rail breaks the bottom's middle."""
@@ -127,6 +140,27 @@ def test_what_is_outside_has_its_name():
 def test_bad_speeds(speed):
     with pytest.raises(ValueError, match="speed must be a number above zero"):
         hn.savitsky(BOAT, [speed])
+
+
+@pytest.mark.parametrize(
+    "speed, trim, how, said",
+    [
+        (20.0, 0.0, {}, "trim must be above 0° and below 90°, not 0.0°"),
+        (20.0, -1.0, {}, "trim must be above 0°"),
+        (20.0, math.nan, {}, "trim must be above 0°"),
+        (20.0, 90.0, {}, "below 90°"),
+        (0.0, 4.0, {}, "speed must be a number above zero"),
+        (20.0, 4.0, {"viscosity": 0.0}, "viscosity must be a number above zero"),
+        (20.0, 4.0, {"gravity": -1.0}, "gravity must be a number above zero"),
+        (20.0, 4.0, {"roughness_allowance": math.nan}, "roughness_allowance must be a finite"),
+    ],
+)
+def test_bad_numbers_at_held_trims(speed, trim, how, said):
+    with pytest.raises(ValueError, match=said):
+        hn.planing_at_trims(BOAT, speed, [trim], **how)
+    if "roughness_allowance" in how:
+        with pytest.raises(ValueError, match=said):
+            hn.savitsky(BOAT, [speed], **how)
 
 
 def test_bad_boats():

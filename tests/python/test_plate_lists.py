@@ -89,6 +89,8 @@ def test_frames_by_ranges():
     for ranges, words in (
         ([], "needs a range"),
         ([(0, 4, 0.0)], "is none"),
+        ([(0, 10.7, 0.6)], "whole numbers, not 10.7"),
+        ([(0, math.inf, 0.6)], "whole numbers, not inf"),
         ([(0, 4, 0.5), (5, 8, 0.5)], "let them meet"),
         ([(2, 4, 0.5)], "leave out frame 0"),
     ):
@@ -264,3 +266,14 @@ def test_a_template_along_the_hull_s_border():
 
 def length(line):
     return np.linalg.norm(np.diff(line, axis=0), axis=1).sum()
+
+
+def test_places_without_an_inner_side_in_the_frame_are_left_out():
+    """Beside the stem one was drawn 0.02 m within the shell: its place lay half a metre abaft."""
+    ship = Sample("container_ship").surface
+    x = np.asarray(ship.mesh.points)[:, 0]
+    at, thickness = x.min() + 0.997 * np.ptp(x), 0.5
+    _, inner = hn.frame_lines(ship, at, thickness=thickness)
+    places = np.concatenate([np.insert(line, 0, at, axis=1) for line in inner])
+    distances = hn.SurfaceTree(ship).closest_points(places).distances
+    assert 0.9 * thickness < distances.min() and distances.max() < 1.01 * thickness

@@ -272,6 +272,15 @@ def test_units_are_those_of_scaled_numbers():
     assert hn.resistance_plot(rows, units=HALVED) == hn.resistance_plot(double)
 
 
+def test_figures_of_usual_sizes_have_no_exponent():
+    for value, text in (
+        (9999.7, "10000"), (-9999.7, "-10000"), (9999.4, "9999"), (12345.6, "12346"),
+        (0.0000123, "0.0000123"), (-0.00001, "-0.00001"), (0.00012345, "0.0001234"), (0.0, "0"),
+        (1.5, "1.5"), (1.23456, "1.235"), (1.23e-9, "1.23e-09"),
+    ):  # fmt: skip
+        assert hn.PlotUnits().figures(value, "m") == f"{text} m"
+
+
 def test_units_have_their_symbols():
     feet = hn.PlotUnits({"m": (SIZE, "ft"), "m·rad": (SIZE, "ft·rad")})
     plot = hn.righting_lever_plot(

@@ -111,3 +111,13 @@ def test_plot(hull):
     assert isinstance(plot, hn.Plot)
     with pytest.raises(ValueError, match="needs a row"):
         hn.resistance_plot([])
+
+
+def test_froude_numbers_are_by_the_gravity_that_is_given(hull):
+    draft, length = hull.ship.draft, hn.holtrop_ship(hull.body, draft=hull.ship.draft).length
+    yacht = hn.delft_yacht(hull.body, draft=draft)
+    for gravity in (9.78, hn.GRAVITY):
+        rows = hn.holtrop_table(hull.body, SPEEDS, draft=draft, gravity=gravity)
+        rows += hn.delft_table(yacht, SPEEDS, gravity=gravity)
+        for row in rows:
+            assert row["froude"] == row["speed_m_s"] / (gravity * length) ** 0.5

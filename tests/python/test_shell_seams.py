@@ -11,6 +11,7 @@ from hull_native import surface_areas
 from plate_hulls import cylinder, one
 from production_hulls import SAMPLES, body_of
 from reference_data import foreign_ships, hull_path
+from transformation_hulls import grid_mesh
 
 
 def surface_of(name):
@@ -142,3 +143,17 @@ def test_used_seams_are_the_borders_of_plates():
     # The same plates follow from them, and nothing is left out.
     again = []
     assert len(hn.plates(surface, used, left_out=again)) == len(plates) and not again
+
+
+def test_butts_beyond_the_surface_are_left_out():
+    # The bow bulges by two thirds of what its control points do: the butt at 11.5 m misses it.
+    y, z = np.array([[3.0, 4.0], [3.0, 3.0], [3.0, 2.0], [2.0, 0.5], [0.0, 0.0]]).T
+    points = np.array([[(x, *yz) for yz in zip(y, z)] for x in np.linspace(0.0, 10.0, 11)])
+    points[-1, 2, 0] = 12.0
+    surface = hn.LimitSurface(grid_mesh(points))
+    ends = hn.HullCurves(surface).borders()
+    assert max(c.points[:, 0].max() for c in ends) < 11.5 < 12.0 - 0.3
+    seams = hn.shell_seams(surface, strake=1.0, plate_length=1.0)[1]
+    butts = {seam.name for seam in seams if seam.name.startswith("Butt")}
+    # Places are those of control points' ends.
+    assert butts == {f"Butt {0.5 * k:.2f}" for k in range(1, 22)}

@@ -129,6 +129,26 @@ def test_what_can_t_be_written_is_one_sentence(tmp_path):
     assert not os.listdir(tmp_path)
 
 
+@pytest.mark.parametrize("ending", [".pdf", ".dxf"])
+def test_one_file_tells_progress_and_a_drawing_without_lines_is_refused(ending, tmp_path):
+    drawings, told = [square(500.0), square(300.0)], []
+    path = tmp_path / f"shell{ending}"
+    hn.write_shop_drawings(drawings, path, progress=told.append)
+    assert told == [0.0]
+
+    def stop(share):
+        raise KeyboardInterrupt
+
+    before = path.read_bytes()
+    with pytest.raises(KeyboardInterrupt):
+        hn.write_shop_drawings(drawings[:1], path, progress=stop)
+    empty = hn.ShopDrawing("Plate P7")
+    for names in (None, ["a", "b", "c"]):
+        with pytest.raises(ValueError, match='"Plate P7" has no lines: leave it out'):
+            hn.write_shop_drawings([*drawings, empty], path, names=names)
+    assert path.read_bytes() == before and os.listdir(tmp_path) == [path.name]
+
+
 def test_pieces_of_both_sides_are_nested():
     surface = cylinder()
     seams = [one(hn.HullCurves(surface, 1e-4).in_plane(hn.plane_across("x", 2.0), "butt"))]
@@ -144,6 +164,13 @@ def test_pieces_of_both_sides_are_nested():
     np.testing.assert_allclose(starboard.min(axis=0), port.min(axis=0), atol=1e-12)
     np.testing.assert_allclose(starboard.max(axis=0), port.max(axis=0), atol=1e-12)
     used = hn.nesting(pieces, [(12.5, 7.0)])
+    # Of pairs both pieces are laid, and what a plate is called makes it no pair.
+    laid, of_pairs = ([place for s in made for place in s.laid] for made in (
+        used, hn.nesting(listed, [(12.5, 7.0)])
+    ))  # fmt: skip
+    assert of_pairs == laid
+    (called,) = hn.plate_list([listed[0].plate], thickness=0.01, names=["Bow P/S"])
+    assert not called.is_pair and [piece.name for piece in called.pieces] == ["Bow P/S"]
     assert sum(len(stock.laid) for stock in used) == 4
     drawn = hn.nesting_drawing(used[0], "S1").lines
     places = np.concatenate([line for layer, line in drawn if layer == "OUTLINE"])

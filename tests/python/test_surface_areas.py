@@ -4,7 +4,7 @@
 import hull_native as hn
 import numpy as np
 import pytest
-from hull_native import surface_areas
+from hull_native import cell_areas, surface_areas
 from reference_data import MESHES, reference_mesh
 
 
@@ -98,3 +98,24 @@ def test_moving_moves_the_centre_alone():
 def test_no_cells_are_no_area():
     area, centre = surface_areas(box(1.0, 1.0, 1.0)).of([])
     assert area == 0.0 and (centre == 0.0).all()
+
+
+def test_a_surface_in_one_line_has_no_area():
+    x, y = np.meshgrid(np.arange(4.0), np.arange(4.0), indexing="ij")
+    points = np.stack([x + y, 2.0 * (x + y), 0.0 * x], axis=-1).reshape(-1, 3)
+    corners = np.arange(16).reshape(4, 4)
+    faces = np.stack([corners[:-1, :-1], corners[1:, :-1], corners[1:, 1:], corners[:-1, 1:]], -1)
+    surface = hn.LimitSurface(hn.ControlMesh(points, np.full(9, 4), faces.reshape(-1)))
+    found = hn.surface_areas(surface)
+    assert len(found.areas) == surface.cell_count
+    assert not found.areas.any() and not found.moments.any()
+
+
+def test_squares_are_evaluated_in_batches(monkeypatch):
+    """With the same bits as all at once."""
+    surface = hn.LimitSurface(reference_mesh(MESHES[0]))
+    whole = hn.surface_areas(surface)
+    monkeypatch.setattr(cell_areas, "_BATCH", 5)
+    parts = hn.surface_areas(surface)
+    assert np.array_equal(parts.areas, whole.areas)
+    assert np.array_equal(parts.moments, whole.moments)

@@ -208,3 +208,14 @@ def test_a_tolerance_of_zero_is_none():
     for tolerance in (0.0, -1.0, math.nan):
         with pytest.raises(ValueError, match="tolerance"):
             hn.view_drawing(body, axes=hn.view_axes(0.0, 0.0), tolerance=tolerance)
+
+
+def test_others_without_a_section_are_told_below_the_title():
+    _, body = body_of("coaster")
+    others = [("Far", hemisphere(5.0)), ("Near", hemisphere(50.0))]
+    plot = hn.curvature_plot(body.surface, "x", 40.0, others=others, name="Coaster")
+    assert plot.curve_names == ["Coaster", "Near"]
+    sheet = hn.lay_out_plot(plot, width_mm=297.0, height_mm=210.0)
+    words = [label["text"] for label in sheet.labels]
+    assert any("Far: no section there" in text for text in words)
+    assert not any("Near: no" in text for text in words)

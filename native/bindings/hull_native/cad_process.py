@@ -40,10 +40,10 @@ def main(path, output, chord_share):
 
     try:
         found = read_cad_geometry(path, chord_share=float(chord_share), progress=tell)
+        np.savez(output, **flat(found))
     except (OSError, RuntimeError, MemoryError) as error:
-        print(error or "there is not enough memory", file=sys.stderr)
+        print(str(error) or "there is not enough memory", file=sys.stderr)
         sys.exit(REFUSED)
-    np.savez(output, **flat(found))
 
 
 if __name__ == "__main__":

@@ -10,6 +10,7 @@ import numpy as np
 _ORDER, _HALVINGS = 8, 40
 # Of the whole area: a square and its four quarters differ by less.
 _TOLERANCE = 1e-13
+_BATCH = 4096  # squares that are evaluated at once: some 40 MB
 _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(_ORDER)
 _AT = 0.5 * (_NODES + 1.0)
 _U, _V = (axis.ravel() for axis in np.meshgrid(_AT, _AT, indexing="ij"))
@@ -34,12 +35,13 @@ class SurfaceAreas:
 def surface_areas(surface):
     """The SurfaceAreas of a LimitSurface, to some 1e-12 of the whole: Gauss's quadrature on squares
     that are quartered until that changes nothing, as it does at once but around irregular points.
+    ValueError where it has no finite area.
     """
     count = surface.cell_count
     cells = np.arange(count)
     places, sides = np.zeros((count, 2)), np.ones(count)
     whole = _integrals(surface, cells, places, sides)
-    size = np.append(1.0, np.maximum(np.abs(whole[:, 1:]).max(axis=0), 1e-300))
+    size = np.full(4, 1e-300)  # of the whole, known after the first halving
     found = np.zeros((count, 4))
     for halving in range(_HALVINGS):
         quarters = [
@@ -49,7 +51,11 @@ def surface_areas(surface):
         better = sum(quarters)
         if halving == 0:
             total = better[:, 0].sum()
-            size[1:] = np.abs(better[:, 1:]).sum(axis=0).max() + 1e-300
+            if not np.isfinite(total):
+                raise ValueError("The surface has no finite area: its control points are too far.")
+            if total == 0.0:  # all in one line, or one point
+                return SurfaceAreas(found[:, 0], found[:, 1:])
+            size[1:] += np.abs(better[:, 1:]).sum(axis=0).max()
             size[0] = total
         off = (np.abs(better - whole) / size).max(axis=1)
         is_done = off <= _TOLERANCE
@@ -72,6 +78,11 @@ def surface_areas(surface):
 
 def _integrals(surface, cells, places, sides):
     """(n, 4) of squares: area, and x, y, z over it."""
+    batches = [slice(first, first + _BATCH) for first in range(0, len(cells), _BATCH)]
+    return np.concatenate([_integrals_of(surface, cells[b], places[b], sides[b]) for b in batches])
+
+
+def _integrals_of(surface, cells, places, sides):
     uv = places[:, None] + sides[:, None, None] * np.stack([_U, _V], axis=1)
     points, by_u, by_v = surface.evaluate(
         np.repeat(cells, len(_U)), np.ascontiguousarray(uv.reshape(-1, 2)), 1

@@ -15,13 +15,18 @@ class FolderBeside:
     and what was not handed over with it.
 
     A symbolic link stays one: the file it points to is replaced, or made. OSError with what to do
-    for names that are none, for what is there and no file, and where nothing can be written.
+    for names that are none, for what is there and no file, for files that are the same, and where
+    nothing can be written; ValueError for no targets.
     """
 
     def __init__(self, targets):
         self._targets = [Path(os.path.realpath(target)) for target in targets]
-        for target in self._targets:
+        if not self._targets:
+            raise ValueError("There is no file to be written: give one at least.")
+        for place, target in enumerate(self._targets):
             _check(target)
+            if target in self._targets[:place]:
+                raise OSError(f'Cannot write "{target}": it is given twice; give another name')
         self._folders = {}
 
     def __enter__(self):

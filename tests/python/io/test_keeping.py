@@ -183,6 +183,14 @@ def test_what_a_hull_does_not_have_cannot_be_kept(name, keep, said):
         hull_io.to_dimensions_keeping(sample(name), hn, (keep,), beam=5.0)
 
 
+def test_a_bilge_beyond_the_hull_or_above_the_water_is_refused():
+    body = body_of(sample("coaster"))
+    with pytest.raises(ValueError, match="no section at x 1000.00 m: choose a place within it"):
+        hn.bilge_of(body, 5.0, 1000.0)
+    with pytest.raises(ValueError, match="Nothing is under water at a draft of -3.000 m"):
+        hn.bilge_of(body, -3.0)
+
+
 def test_nonsense_is_refused_and_factors_stay_what_they_are():
     data = sample("coaster")
     points = data.points.copy()

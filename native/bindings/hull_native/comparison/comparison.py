@@ -24,6 +24,14 @@ _ALONG = (
     "midship_section.position",
     "largest_section.position",
 )
+# What says nothing without Lpp.
+_OF_LENGTH = (
+    "lcb_percent",
+    "lcf_percent",
+    "mtc",
+    "midship_section.position",
+    "midship_section.area",
+)
 # In percent already.
 _PERCENTS = ("lcb_percent", "lcf_percent")
 # Not of the form: where the hull lies, and what integration says of itself.
@@ -44,7 +52,8 @@ _CLOSER = 33  # stations between the neighbours of the one with the largest diff
 @dataclass(frozen=True)
 class ComparedHull:
     """A hull_native.HullBody and how it lies, as the arguments of `hydrostatics`; trim and heel in
-    rad. length_pp, beam: None where they are not given."""
+    rad. length_pp, beam: None where they are not given. draft_at: None is half of length_pp, or
+    x = 0 m without."""
 
     body: object
     draft: float
@@ -143,8 +152,16 @@ def compare_hulls(hull, other, *, stations=None, paths=None):
 
     stations: (n,) x in m where sectional areas are compared; by default 21 between the ends of
     both hulls. paths: which of `quantities` are compared, all by default. At one draft: give both
-    the same. ValueError where one of them has nothing under water, or an argument is wrong.
+    the same. ValueError where one of them has nothing under water, or an argument is wrong, and
+    for trims about places that are not alike, as one has Lpp and the other has not.
     """
+    has_length = [bool(one.length_pp) for one in (hull, other)]
+    if has_length[0] != has_length[1]:
+        if any(one.trim and one.draft_at is None for one in (hull, other)):
+            raise ValueError(
+                "The draft of a trimmed hull is that at half of its Lpp, which one of these has "
+                "not: give draft_at, or Lpp of both."
+            )
     found, others = hull.hydrostatics(), other.hydrostatics()
     rows = tuple(difference(path, found, others, other.length_pp) for path in paths or quantities())
     return Comparison(rows, compare_areas(hull, other, stations=stations))
@@ -159,6 +176,8 @@ def difference(path, found, others, length_pp=None):
 
 def _defined(path, found):
     value = attrgetter(path)(found)
+    if path in _OF_LENGTH and found.midship_section.position == 0.0:  # half of no Lpp
+        return None
     is_ratio = path.startswith(("project.", "immersed.")) or "angle" in path
     return None if is_ratio and value == 0.0 else value
 

@@ -72,9 +72,16 @@ def bilge_of(body, draft, x=None):
     """The Bilge of the section at x, m, by default the largest one below the draft; ValueError
     where it has none."""
     if x is None:
-        x = float(hydrostatics(body, draft=draft).largest_section.position)
+        found = hydrostatics(body, draft=draft)
+        if not found.displaced_volume > 0.0:
+            raise ValueError(
+                f"Nothing is under water at a draft of {draft:.3f} m: there is no bilge below it"
+            )
+        x = float(found.largest_section.position)
     name = f"The section at x {x:.2f} m"
     runs, curves = [], section(body.surface, "x", x)
+    if not curves:
+        raise ValueError(f"The hull has no section at x {x:.2f} m: choose a place within it")
     half_beam = max(float(curve.points[:, 1].max()) for curve in curves)
     for curve in curves:
         for stretch in curve.stretches:

@@ -36,6 +36,10 @@ def section_curvature(surface, axis, position, chord_tolerance=None):
         raise ValueError(
             f"The hull has no section at {axis} = {position:g} m; choose a place within it."
         )
+    return _curvature_of(curves, axis)
+
+
+def _curvature_of(curves, axis):
     rows, at = [], 0.0
     for curve in curves:
         stretches = [(s.points, s.curvatures) for s in curve.stretches]
@@ -61,20 +65,23 @@ def curvature_plot(
     surface, axis, position, *, radius=None, others=(), name="", title=None, units=METRIC
 ):
     """The Plot of curvature over girth of a section: of the LimitSurface, and, dashed, of others,
-    (name, LimitSurface) each, where they have a section there. radius, m: a circle's curvature as a
-    line across; None for none. units: PlotUnits. ValueError as section_curvature(), and for a
-    radius that is none."""
+    (name, LimitSurface) each; those that have no section there are named below the title. radius,
+    m: a circle's curvature as a line across; None for none. units: PlotUnits. ValueError as
+    section_curvature(), and for a radius that is none."""
     own = section_curvature(surface, axis, position)
     word, letter = _AXES[axis]
-    plot = Plot(
-        title or "Curvature along a section", [f"{word} at {letter} = {_g(position, units)}"]
-    )
+    told, found = [f"{word} at {letter} = {_g(position, units)}"], []
+    for other_name, other in others:
+        if curves := section(other, axis, float(position)):
+            found.append((other_name, _curvature_of(curves, axis)))
+        else:
+            told.append(f"{other_name}: no section there")
+    plot = Plot(title or "Curvature along a section", told)
     plot.add_x_axis("Girth", units.symbol("m"), from_zero=True)
     plot.set_y_axis("Curvature", units.symbol("1/m"), from_zero=True)
     plot.add_curve(name or "Hull", *_shown(own, units))
-    for other_name, other in others:
-        found = section_curvature(other, axis, position)
-        plot.add_curve(other_name, *_shown(found, units), style="dashed")
+    for other_name, other in found:
+        plot.add_curve(other_name, *_shown(other, units), style="dashed")
     if radius is not None:
         if not (radius > 0.0 and np.isfinite(radius)):
             raise ValueError(f"A circle's radius is a positive length, not {radius:g}.")

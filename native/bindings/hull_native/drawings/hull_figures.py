@@ -55,7 +55,8 @@ def write_hull_figures(
     that encloses nothing, and where no lines plan fits a sheet; OSError if files can't be written.
     """
     path = Path(path)
-    endings = (path.suffix.lower(),) if endings is None else tuple(endings)
+    endings = (path.suffix.lower(),) if endings is None else tuple(dict.fromkeys(endings))
+    figures = tuple(dict.fromkeys(figures))
     _check(path, endings, figures)
     form = FigureForm(body, title or path.stem, length, beam, draft, depth)
     stem = path.with_suffix("") if path.suffix.lower() in _ENDINGS else path

@@ -34,7 +34,14 @@ class PlotUnits:
 
 
 METRIC = PlotUnits()
+# What is smaller is shown with an exponent.
+_LEAST_FIXED = 1e-6
 
 
 def figures(value):
-    return f"{value:.4g}" if abs(value) < 1e4 else f"{value:.0f}"
+    """A number's four figures, without an exponent from 1e-6 on; of more than four, all whole
+    ones."""
+    text = f"{value:.4g}" if abs(value) < 1e4 else f"{value:.0f}"
+    if "e" not in text or abs(value) < _LEAST_FIXED:
+        return text
+    return np.format_float_positional(float(text), trim="-")

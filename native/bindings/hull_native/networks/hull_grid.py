@@ -23,8 +23,8 @@ _BY_TURNING, _TRIALS, _ALONG = 0.6, 80, 12
 _FIRST = 0.35
 # A knuckle line is across where less of it is along the ship.
 _ACROSS = 0.3
-# Of the length: a knuckle's end is on the line of an end.
-_AT_END = 1e-6
+# Of the length: a knuckle's end is on the line of an end; sections are all alike.
+_AT_END, _ALIKE = 1e-6, 1e-4
 # Rows after the post over which columns come to where they are amidships.
 _AFTER_POST = 4
 _LEAST_GAP = 0.2
@@ -159,14 +159,19 @@ def _row_places(outline, girths, count):
     margin = 0.01 * (high - low)
     at = np.linspace(low + margin, high - margin, _TRIALS)
     shares = np.linspace(0.0, 1.0, _ALONG + 1)
-    trial = []
+    trial, even = [], []
     for x in at:
         line = girths.at(x)
         trial.append(points_at(line, bend_shares(line), shares))
+        lengths = lengths_along(line)
+        even.append(points_at(line, lengths, shares * lengths[-1])[:, 1:])
     ways = np.diff(np.array(trial), axis=0)
     ways /= np.linalg.norm(ways, axis=2)[:, :, None]
     turns = np.arccos(np.clip((ways[1:] * ways[:-1]).sum(axis=2), -1.0, 1.0)).sum(axis=1)
     turns = np.convolve(np.pad(turns, 4, "edge"), np.full(7, 1.0 / 7.0), "valid")
+    if np.ptp(even, axis=0).max() < _ALIKE * outline.length or not turns.sum() > 0.0:
+        # Where bends are on sections that are all alike is told by how these were drawn alone.
+        turns = np.ones_like(turns)
     density = (1.0 - _BY_TURNING) / _TRIALS + _BY_TURNING * turns / turns.sum()
     reached = np.concatenate([[0.0], np.cumsum(0.5 * (density[1:] + density[:-1]))])
     # A transom is a row itself; before a post the first row is closer.

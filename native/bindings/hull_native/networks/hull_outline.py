@@ -15,7 +15,7 @@ import numpy as np
 
 from .._core import tolerances
 from ..polylines import end_to_end, lengths_along, points_at
-from .network_reasons import beside_centre_plane, no_regions
+from .network_reasons import beside_centre_plane, no_regions, no_shell
 
 # Points on an edge of the network.
 _EDGE_PARTS = 8
@@ -142,6 +142,8 @@ def hull_outline(network):
         raise ValueError(reason)
     kinds = [_kind(sheets, sheet, low, high) for sheet in range(sheets.sheet_of.max() + 1)]
     in_shell = np.array([kinds[sheet] == "shell" for sheet in sheets.sheet_of])
+    if not in_shell.any():
+        raise ValueError(no_shell(kinds))
     parts = _border(sheets, kinds, in_shell, low, high)
     outline = HullOutline(
         network, length, low, high, in_shell, parts["contour"][::-1], parts["deck"],

@@ -114,6 +114,11 @@ def hull_from_network(network, *, tolerance=None, budget=None, layout=None, prog
     """
     places, curve_numbers = _places(network)
     length = float(np.ptp(places[:, 0]))
+    if not length > 0.0:
+        raise ValueError(
+            f"No part of the network is a shell: all of it lies at x = {places[0, 0]:.3f} m. Give "
+            "the curves of the shell along the ship, too."
+        )
     tolerance = _TOLERANCE * length if tolerance is None else float(tolerance)
     if not tolerance > 0.0:
         raise ValueError("tolerance has to be above zero.")
@@ -151,6 +156,8 @@ def _laid(network, places, tolerance, budget, progress):
             )
             fit = _grown(grid, targets, flats, way, additions, told, bends)
         except ValueError as error:
+            if error is told.raised:
+                raise
             refused.append((way.columns * way.rows, number, error))
             continue
         distances = np.asarray(SurfaceTree(fit.surface).closest_points(places).distances)
@@ -190,11 +197,13 @@ def _grown(grid, targets, flats, way, additions, told, curves):
 
 
 class _Progress:
-    """Tells of a share, from `start` over `width`, that grows with the points."""
+    """Tells of a share, from `start` over `width`, that grows with the points. raised: what ended
+    the work in doing so."""
 
     def __init__(self, progress, budget, start, width):
         self._progress, self._budget, self._told = progress, budget, start
         self._start, self._width = start, width
+        self.raised = None
 
     def at(self, count):
         if self._progress is None:
@@ -204,7 +213,11 @@ class _Progress:
 
         def told(share):
             self._told = max(self._told, low + 0.2 * (high - low) * share)
-            self._progress(self._told)
+            try:
+                self._progress(self._told)
+            except Exception as error:
+                self.raised = error
+                raise
 
         return told
 

@@ -35,6 +35,16 @@ def no_regions(network):
     return text
 
 
+def no_shell(kinds):
+    """Why a network whose sheets are flat ends, "aft" and "forward", and a "bar" is no hull."""
+    names = {"aft": "a flat end", "forward": "a flat end", "bar": "a bar along the centre plane"}
+    told = " and ".join(dict.fromkeys(names[kind] for kind in kinds))
+    return (
+        f"No part of the network is a shell: all of it is {told}. Give the curves of the shell "
+        "between keel, deck edge and ends, too."
+    )
+
+
 def beside_centre_plane(low, high):
     """Why a network within low and high (3,), m, that has no border in the centre plane is no half
     hull; None where it comes to that plane."""

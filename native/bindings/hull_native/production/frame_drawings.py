@@ -10,6 +10,8 @@ from .._drawing import ShopDrawing
 _ROUNDS, _LEFT = 40, 1e-10
 # How near the inner side may be to the shell, of the thickness less than that, and of the size.
 _NEAR, _BESIDE = 1e-3, 1e-6
+# Of the thickness: points of the inner side that are so far from the frame's plane are not in it.
+_OFF_PLANE = 0.1
 
 
 def inside_points(surface, tree, points, cells, uv, thickness):
@@ -41,7 +43,8 @@ def tree_size(surface):
 
 def frame_lines(surface, x, *, thickness=0.0, tolerance=None, tree=None):
     """(outer, inner): lists of (k, 2) arrays, (y, z) in m, of the section at x and of the inner
-    side of the shell's thickness (m) there. ValueError where the frame is off the hull, for a
+    side of the shell's thickness (m) there, without places that have no inner side in the frame's
+    plane, as beside ends of the hull. ValueError where the frame is off the hull, for a
     thickness below 0, and for one that leaves no room within the frame: no point of the inner side
     is as far as that from all of the shell, on the frame's own side of the centre plane. tree: the
     surface's SurfaceTree, for many frames; ValueError for one that is not of it as it is."""
@@ -67,7 +70,9 @@ def frame_lines(surface, x, *, thickness=0.0, tolerance=None, tree=None):
                 cells, uv = curve.cells[at], curve.uv[at]
                 points = inside_points(surface, tree, stretch.points, cells, uv, thickness)
                 has_room = has_room or _is_inside(surface, tree, points, x, thickness)
-                inner.append(points[:, 1:])
+                in_plane = np.abs(points[:, 0] - x) < _OFF_PLANE * thickness
+                if in_plane.sum() > 1:
+                    inner.append(points[in_plane, 1:])
     if thickness > 0.0 and not has_room:
         raise ValueError(
             f"The frame at x = {x:g} m has no room for a shell {thickness:g} m thick: give its "

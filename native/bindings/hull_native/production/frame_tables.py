@@ -61,16 +61,22 @@ class FrameTable:
         return self.numbers[(self.positions >= low) & (self.positions <= high)]
 
 
+def _whole(number):
+    if not (np.isfinite(number) and int(number) == number):
+        raise ValueError(f"Frames have whole numbers, not {number:g}: end the range at one.")
+    return int(number)
+
+
 def frame_table(ranges, *, numbered_from="AP", length=None, in_roman=False):
     """The FrameTable of ranges (first number, last number, spacing in m), each of which begins
     where the one before ends.
 
     Frame 0 is at the after perpendicular, x = 0, and numbers rise forward; numbered_from="FP": it
     is at the forward one, x = length (m), and numbers rise aft. in_roman: names are Roman
-    numerals. ValueError for ranges that do not follow one another or leave out frame 0, for
-    spacings that are not positive, and for more than 2,000 frames.
+    numerals. ValueError for numbers that are not whole, for ranges that do not follow one another
+    or leave out frame 0, for spacings that are not positive, and for more than 2,000 frames.
     """
-    ranges = [(int(a), int(b), float(s)) for a, b, s in ranges]
+    ranges = [(_whole(a), _whole(b), float(s)) for a, b, s in ranges]
     if not ranges:
         raise ValueError("A frame table needs a range: first frame, last frame, spacing.")
     for k, (first, last, spacing) in enumerate(ranges):

@@ -15,7 +15,7 @@ PAIR = " P/S"
 @dataclass(frozen=True)
 class ListedPlate:
     """A Plate with its name, thickness (m) and FlatPlate. is_turned: it is the other side's, the
-    mirror image of these."""
+    mirror image of these. is_pair: it stands for a plate of each side."""
 
     name: str
     plate: object
@@ -23,16 +23,12 @@ class ListedPlate:
     flat: object
     density: float = STEEL
     is_turned: bool = False
+    is_pair: bool = False
 
     @property
     def mass_t(self):
         """Of the plate as it is on the hull, t: its exact area times the thickness."""
         return self.plate.area * self.thickness * self.density
-
-    @property
-    def is_pair(self):
-        """Whether it stands for a plate of each side."""
-        return self.name.endswith(PAIR)
 
     @property
     def extents(self):
@@ -53,8 +49,9 @@ class ListedPlate:
         """ListedPlates of single pieces: itself, or one a side, "… P" and "… S"."""
         if not self.is_pair:
             return [self]
-        name = self.name[: -len(PAIR)]
-        return [replace(self, name=f"{name} P"), replace(self, name=f"{name} S", is_turned=True)]
+        name = self.name.removesuffix(PAIR)
+        port = replace(self, name=f"{name} P", is_pair=False)
+        return [port, replace(port, name=f"{name} S", is_turned=True)]
 
 
 def plate_list(
@@ -85,7 +82,8 @@ def plate_list(
             progress(k / len(plates))
         is_pair = mirrored and not plate.across
         name = names[k] + PAIR if is_pair else names[k]
-        listed.append(ListedPlate(name, plate, thicknesses[k], plate.flat(poisson), density))
+        flat = plate.flat(poisson)
+        listed.append(ListedPlate(name, plate, thicknesses[k], flat, density, is_pair=is_pair))
     return listed
 
 
@@ -162,8 +160,8 @@ class StockPlate:
 
 
 def nesting(listed, stock, *, margin=0.02):
-    """ListedPlates laid on plates of the mill by their rectangles, in rows, the broadest first:
-    a list of StockPlate, those of one thickness together.
+    """The pieces of ListedPlates laid on plates of the mill by their rectangles, in rows, the
+    broadest first: a list of StockPlate, those of one thickness together.
 
     stock: (length, breadth) in m of what can be had. margin (m) is left around each plate. Plates
     are laid along the stock's length. ValueError, naming it, for a plate that none of these holds.
@@ -174,7 +172,8 @@ def nesting(listed, stock, *, margin=0.02):
     if not stock or not all(isfinite(a) and isfinite(b) and a > 0 and b > 0 for a, b in stock):
         raise ValueError("Stock plates need a length and a breadth above 0 m.")
     used = []
-    for one in sorted(listed, key=lambda p: (-p.thickness, -p.extents[1], -p.extents[0])):
+    pieces = [piece for one in listed for piece in one.pieces]
+    for one in sorted(pieces, key=lambda p: (-p.thickness, -p.extents[1], -p.extents[0])):
         length, breadth = (e + 2.0 * margin for e in one.extents)
         fits = [s for s in stock if length <= s[0] and breadth <= s[1]]
         if not fits:

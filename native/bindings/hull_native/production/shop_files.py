@@ -33,17 +33,22 @@ def write_shop_drawings(drawings, path, *, names=None, paper="A3", progress=None
     names: one each, for files of their own at true size: of the path "out/shell.pdf" and the name
     "P7" out/shell-P7.pdf, as ShopDrawing.write() divides it into sheets of the paper; .svg and .dxf
     likewise. What is no letter, digit, - or _ in a name becomes -. Either all files are there or
-    none has changed. progress: called with the share done; what it raises ends the work.
+    none has changed. progress: called with the share done, of one file before it is written; what
+    it raises ends the work.
 
-    ValueError as shop_ending(), for no drawings, names that are not one each or not different, and
-    as ShopDrawing.write(); OSError if a file can't be written.
+    ValueError as shop_ending(), for no drawings, drawings without lines, names that are not one
+    each or not different, and as ShopDrawing.write(); OSError if a file can't be written.
     """
     path, drawings, tell = Path(path), list(drawings), progress or (lambda share: None)
     ending = shop_ending(path, apart=names is not None)
     if not drawings:
         raise ValueError("There is no drawing to be written.")
+    for drawing in drawings:
+        if not drawing.lines:
+            raise ValueError(f'The drawing "{drawing.title}" has no lines: leave it out.')
     if names is not None:
         return _write_apart(drawings, path, _file_words(names, len(drawings)), paper, tell)
+    tell(0.0)
     if ending == ".pdf":
         write_shop_booklet(drawings, path, paper=paper)
     else:

@@ -142,7 +142,8 @@ def _size(curve):
 
 def staggered_butts(curves, seams, ends, apart, shortest):
     """Curves across the ship between its ends (low, high), so far apart, those of neighbouring
-    strakes by half of that; pieces that are no longer than `shortest` are left out."""
+    strakes by half of that; pieces that are no longer than `shortest` are left out, and planes
+    that do not meet the hull."""
     low, high = ends
     made = []
     for row, share in enumerate((0.5, 1.0)):
@@ -151,7 +152,11 @@ def staggered_butts(curves, seams, ends, apart, shortest):
             # No narrow plates at the ends.
             if not low + 0.3 * apart < at < high - 0.3 * apart:
                 continue
-            for curve in curves.in_plane(plane_across("x", at), f"Butt {at:.2f}"):
+            try:
+                across = curves.in_plane(plane_across("x", at), f"Butt {at:.2f}")
+            except ValueError:  # control points may lie beyond the surface, as at bulbs
+                continue
+            for curve in across:
                 pieces = curves.pieces(curve, seams)
                 pieces.sort(key=lambda c: -c.points[:, 2].max())
                 made += [p for p in pieces[row::2] if length_of(p.points) > shortest]

@@ -14,12 +14,16 @@ class Coefficients(dict):
     def __setitem__(self, name, value):
         super().__setitem__(name, self._readings.get(name, value))
 
-    def require_readings(self):
-        """ValueError for readings that stand in place of nothing."""
-        for name in self._readings:
-            if name not in self:
-                known = ", ".join(sorted(self))
-                raise ValueError(f"{name!r} is no coefficient of this ship; these are: {known}.")
+
+def require_used(readings, used):
+    """ValueError for readings that stand in place of nothing in any of the Coefficients used."""
+    known = sorted(set().union(*used))
+    for name in readings if used else ():
+        if name not in known:
+            raise ValueError(
+                f"{name!r} is no coefficient of this ship at these speeds; these are: "
+                f"{', '.join(known)}."
+            )
 
 
 def checked_readings(readings):

@@ -6,6 +6,7 @@ import math
 import numpy as np
 
 from .. import _core
+from .side_by_side import is_side_by_side
 
 _STATIONS = 40
 
@@ -17,11 +18,16 @@ def bottom_deadrise(body, *, draft, trim=0.0, draft_at=0.0):
     (draft in m at x = draft_at, trim in rad by the stern) and is flatter than 45°: on that half a
     boat planes, and steeper parts are sides. The tangent is what it rises outwards, of its breadth,
     over all these sections: that of a prismatic V to rounding, and that of the chord across rails
-    and hollows. Not below 0. ValueError for a hull out of the water, and where nothing is so flat.
+    and hollows. Not below 0. ValueError for a hull out of the water, for hulls beside one another,
+    whose keels are not amidships, and where nothing is so flat.
     """
     water = _core.hydrostatics(body, draft=draft, trim=trim, draft_at=draft_at)
     if not water.waterline_length > 0.0:
         raise ValueError(f"The hull is out of the water at a draft of {draft:.4g} m: set it.")
+    if is_side_by_side(body, water, draft, trim, draft_at):
+        raise ValueError(
+            "Hulls beside one another have no bottom that rises from one keel: give the deadrise."
+        )
     step = 0.5 * water.waterline_length / _STATIONS
     stations = water.waterline_aft + step * (np.arange(_STATIONS) + 0.5)
     planes = np.column_stack([np.tile((1.0, 0.0, 0.0), (_STATIONS, 1)), stations])

@@ -6,6 +6,7 @@ from dataclasses import dataclass, fields, replace
 
 from .. import _core
 from .positive_numbers import check_positive
+from .side_by_side import is_side_by_side
 
 
 @dataclass(frozen=True)
@@ -14,6 +15,7 @@ class DelftYacht:
 
     length, beam, draft: on the waterline, Lwl, Bwl, Tc. volume: ∇c, m³. prismatic, midship: Cp, Cm,
     on Lwl. lcb, lcf: centres of buoyancy and flotation abaft the waterline's forward end, m.
+    side_by_side: hulls beside one another, which the series does not know.
     """
 
     length: float
@@ -26,9 +28,11 @@ class DelftYacht:
     midship: float
     lcb: float
     lcf: float
+    side_by_side: bool = False
 
     def __post_init__(self):
-        check_positive(self, "The canoe body's", [each.name for each in fields(self)])
+        names = [each.name for each in fields(self) if each.name != "side_by_side"]
+        check_positive(self, "The canoe body's", names)
         for name in ("lcb", "lcf"):
             if not getattr(self, name) < self.length:
                 raise ValueError(
@@ -162,5 +166,6 @@ def delft_yacht(body, *, draft, trim=0.0, draft_at=0.0, **given):
         "midship": largest / (beam * water.immersed_draft),
         "lcb": water.waterline_forward - water.lcb,
         "lcf": water.waterline_forward - water.lcf,
+        "side_by_side": is_side_by_side(bare_body(body), water, draft, trim, draft_at),
     }
     return DelftYacht(**{**measured, **given})

@@ -240,11 +240,14 @@ class _Run:
         ]
         if self.heel_deg > 0.0:
             ranges.append(("Froude number heeled", froude, 0.25, 0.55))
-        return tuple(
+        said = [
             f"{name} {value:.3g} is outside {low} to {high}"
             for name, value, low, high in ranges
             if not low <= value <= high
-        )
+        ]
+        if y.side_by_side:
+            said.append("hulls beside one another, which the series takes for one yacht")
+        return tuple(said)
 
 
 def _with_power(found):

@@ -5,6 +5,7 @@ import math
 from dataclasses import dataclass, fields, replace
 
 from .. import _core
+from .side_by_side import is_side_by_side
 
 # Of the models in the regression: prismatic coefficient, length to beam and Froude numbers from the
 # table of ship types in Holtrop & Mennen (1978); beam to draft, and slender hulls and speeds of the
@@ -15,10 +16,6 @@ _RANGES = (
     ("beam to draft", lambda ship: ship.beam / ship.draft, 2.1, 4.0),
 )
 _MOST_FROUDE = {1982: 0.45, 1984: 0.8}
-
-# The broadest of so many stations of one hull has the waterline's breadth but for 2 %, though a
-# tunnel or a well may lie at others; two hulls have not so much of it even where they nearly touch.
-_STATIONS, _ONE_HULL = 25, 0.9
 
 
 @dataclass(frozen=True)
@@ -96,6 +93,7 @@ class HoltropShip:
             ship = replace(ship, wetted_surface=ship._estimated_wetted_surface())
         if ship.entrance_angle_deg is None:
             ship = replace(ship, entrance_angle_deg=ship._estimated_entrance())
+        ship._check_estimates()
         return ship
 
     def outside(self, froude, edition):
@@ -145,6 +143,12 @@ class HoltropShip:
                     f"Holtrop's formulas need {name} between {low} and {high}, not {value:.4g}: "
                     "check length, beam, drafts and volume."
                 )
+        section = self.beam * self.draft * self.midship
+        if not 0.8 * self.transom_area < section:  # c5, by which waves are less, above zero
+            raise ValueError(
+                f"Holtrop's formulas need a transom_area below {1.25 * section:.4g} m², 1.25 times "
+                f"the midship section's, not {self.transom_area:.4g} m²."
+            )
         if self.bulb_area > 0.0 and not self.bulb_depth > 0.0:
             raise ValueError(
                 f"Holtrop's formulas need the bulb in the water: with bulb_height "
@@ -156,6 +160,18 @@ class HoltropShip:
             raise ValueError(
                 f"Holtrop's formulas have no value for lcb_percent {self.lcb_percent:.4g} with a "
                 f"prismatic coefficient of {self.prismatic:.4g}: the buoyancy lies too near an end."
+            )
+
+    def _check_estimates(self):
+        if not self.wetted_surface > 0.0:
+            raise ValueError(
+                "The estimate of the wetted surface has no value for a beam of "
+                f"{self.beam / self.draft:.4g} drafts: check the drafts, or give wetted_surface."
+            )
+        if not self.entrance_angle_deg < 90.0:
+            raise ValueError(
+                "The estimate of the half angle of entrance is 90° for a waterplane coefficient of "
+                f"{self.waterplane:.4g}: give entrance_angle_deg."
             )
 
     def _estimated_wetted_surface(self):
@@ -207,6 +223,11 @@ def holtrop_ship(body, *, draft, trim=0.0, draft_at=0.0, **given):
 
     aft, forward = water.waterline_aft, water.waterline_forward
     mean = 0.5 * (draft_of(aft) + draft_of(forward))
+    if not mean > 0.0:
+        raise ValueError(
+            f"The mean draft to z = 0 is {mean:.4g} m, though the hull is in the water: move the "
+            "hull onto its base line first."
+        )
     inside = 1e-6 * length
     ends = _core.section_areas(
         body, [aft + inside, forward - inside], draft=draft, trim=trim, draft_at=draft_at
@@ -226,13 +247,6 @@ def holtrop_ship(body, *, draft, trim=0.0, draft_at=0.0, **given):
         "transom_area": transom,
         "bulb_area": stem,
         "bulb_height": ends.centroids[1][2] if stem > 0.0 else 0.0,
-        "side_by_side": _is_side_by_side(body, water, draft, trim, draft_at),
+        "side_by_side": is_side_by_side(body, water, draft, trim, draft_at),
     }
     return HoltropShip(**{**measured, **given})
-
-
-def _is_side_by_side(body, water, draft, trim, draft_at):
-    ends = water.waterline_aft, water.waterline_forward
-    stations = [ends[0] + (ends[1] - ends[0]) * (i + 0.5) / _STATIONS for i in range(_STATIONS)]
-    found = _core.section_areas(body, stations, draft=draft, trim=trim, draft_at=draft_at)
-    return max(found.breadths) < _ONE_HULL * water.waterline_beam

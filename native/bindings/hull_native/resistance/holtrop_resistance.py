@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 
 from .._core import SEA_WATER_DENSITY
 from .._resistance import GRAVITY, ittc_1957
-from .coefficients import Coefficients, checked_readings
+from .coefficients import Coefficients, checked_readings, require_used
 from .holtrop_form import HoltropShip
 from .positive_numbers import require_positive
 from .propulsion import Propeller, propulsion_factors
@@ -68,8 +68,8 @@ def holtrop(
     density. roughness: of the hull, m; 150 µm is that of new ships, which the correlation allowance
     has. propeller: Propeller, for wake and thrust deduction. readings: a dict of coefficients by
     the papers' names, as "1+k1" of a model test, in place of their formulas' at all speeds.
-    ValueError for what is no number above zero, for readings of coefficients that are not in use,
-    and for forms at which a formula has no value.
+    ValueError for what is no number above zero, for readings of coefficients that are in use at
+    none of the speeds, and for forms at which a formula has no value.
     """
     if edition not in _FORM_FACTORS:
         raise ValueError(f"edition must be 1984 or 1982, not {edition!r}.")
@@ -81,7 +81,12 @@ def holtrop(
     ship = ship.completed()
     water = _Water(water_density, viscosity, gravity, roughness)
     readings = checked_readings(readings or {})
-    return [_at_speed(ship, float(speed), edition, water, propeller, readings) for speed in speeds]
+    results = [
+        _at_speed(ship, float(speed), edition, water, propeller, readings) for speed in speeds
+    ]
+    # Some are in use above a Froude number alone.
+    require_used(readings, [result.coefficients for result in results])
+    return results
 
 
 @dataclass(frozen=True)
@@ -102,8 +107,8 @@ def _form_factor_1982(ship, c):
     else:
         c["c12"] = 0.479948
     c["c13"] = 1.0 + 0.003 * ship.stern_coefficient
-    fullness = (0.95 - ship.prismatic) ** -0.521448
-    run = (1.0 - ship.prismatic + 0.0225 * ship.lcb_percent) ** 0.6906
+    fullness = (0.95 - c["CP"]) ** -0.521448
+    run = (1.0 - c["CP"] + 0.0225 * ship.lcb_percent) ** 0.6906
     return c["c13"] * (0.93 + c["c12"] * (ship.beam / c["LR"]) ** 0.92497 * fullness * run)
 
 
@@ -112,7 +117,7 @@ def _form_factor_1984(ship, c):
     slender = (ship.beam / ship.length) ** 1.06806 * (ship.draft / ship.length) ** 0.46106
     run = (ship.length / c["LR"]) ** 0.121563
     light = (ship.length**3 / ship.displaced_volume) ** 0.36486
-    fullness = (1.0 - ship.prismatic) ** -0.604247
+    fullness = (1.0 - c["CP"]) ** -0.604247
     return 0.93 + 0.487118 * c["c14"] * slender * run * light * fullness
 
 
@@ -147,32 +152,40 @@ def _take_form_coefficients(c, ship, edition):
         c["c15"] = -1.69385
     else:
         c["c15"] = -1.69385 + (light - 8.0) / 2.36 if light**3 <= 1726.91 else 0.0
-    cp = ship.prismatic
+    cp = c["CP"]
     c["c16"] = (
         8.07981 * cp - 13.8673 * cp**2 + 6.984388 * cp**3 if cp < 0.8 else 1.73014 - 0.7067 * cp
     )
     c["lambda"] = 1.446 * cp - (0.03 / slender if slender > 1.0 / 12.0 else 0.36)
     c["m1"] = 0.0140407 * ship.length / ship.draft - 1.75254 / light - 4.79323 * slender - c["c16"]
+    if c["m1"] > 0.0:
+        raise ValueError(
+            f"Holtrop's waves would grow without bound at low speeds for a length of "
+            f"{ship.length / ship.draft:.4g} drafts: check the drafts, or take Michell's integral."
+        )
 
 
-def _hump(c, ship, froude, edition):
+def _hump(c, froude, edition):
     """The exponent's oscillating part: m2 or m4 times the cosine."""
     if edition == 1982:
-        c["m2"] = factor = c["c15"] * ship.prismatic**2 * math.exp(-0.1 * froude**-2)
+        name = "m2"
+        c[name] = c["c15"] * c["CP"] ** 2 * math.exp(-0.1 * froude**-2)
     else:
-        c["m4"] = factor = c["c15"] * 0.4 * math.exp(-0.034 * froude**-3.29)
-    return factor * math.cos(c["lambda"] * froude**-2)
+        name = "m4"
+        c[name] = c["c15"] * 0.4 * math.exp(-0.034 * froude**-3.29)
+    # Read back, as a reading stands in the formula's place.
+    return c[name] * math.cos(c["lambda"] * froude**-2)
 
 
 def _wave_resistance(c, ship, froude, edition, water):
     weight = c["c2"] * c["c5"] * ship.displaced_volume * water.density * water.gravity
 
     def slow(fn):
-        exponent = c["m1"] * fn**_SPEED_EXPONENT + _hump(c, ship, fn, edition)
+        exponent = c["m1"] * fn**_SPEED_EXPONENT + _hump(c, fn, edition)
         return c["c1"] * weight * math.exp(exponent)
 
     def fast(fn):
-        exponent = c["m3"] * fn**_SPEED_EXPONENT + _hump(c, ship, fn, edition)
+        exponent = c["m3"] * fn**_SPEED_EXPONENT + _hump(c, fn, edition)
         return c["c17"] * weight * math.exp(exponent)
 
     if edition == 1982 or froude <= 0.4:
@@ -193,7 +206,7 @@ def _wave_resistance(c, ship, froude, edition, water):
     if froude > 0.55:
         return fast(froude)
     low, high = slow(0.4), fast(0.55)
-    _hump(c, ship, froude, edition)
+    _hump(c, froude, edition)
     return low + (10.0 * froude - 4.0) * (high - low) / 1.5
 
 
@@ -222,7 +235,7 @@ def _transom_resistance(c, ship, speed, pressure, water):
 
 
 def _correlation_allowance(c, ship, roughness):
-    slow = 0.003 * math.sqrt(ship.length / 7.5) * ship.block**4 * c["c2"] * (0.04 - c["c4"])
+    slow = 0.003 * math.sqrt(ship.length / 7.5) * c["CB"] ** 4 * c["c2"] * (0.04 - c["c4"])
     allowance = 0.006 * (ship.length + 100.0) ** -0.16 - 0.00205 + slow
     if roughness > 150e-6:
         allowance += (0.105 * roughness ** (1.0 / 3.0) - 0.005579) / ship.length ** (1.0 / 3.0)
@@ -233,7 +246,7 @@ def _at_speed(ship, speed, edition, water, propeller, readings):
     require_positive(speed=speed)
     c = Coefficients(readings)
     _take_form_coefficients(c, ship, edition)
-    c["Fn"] = froude = speed / math.sqrt(water.gravity * ship.length)
+    c["Fn"] = speed / math.sqrt(water.gravity * ship.length)
     c["CF"] = ittc_1957(speed * ship.length / water.viscosity)
     pressure = 0.5 * water.density * speed**2
     friction = pressure * c["S"] * c["CF"]
@@ -259,16 +272,15 @@ def _at_speed(ship, speed, edition, water, propeller, readings):
             efficiency = factors["etaH"] * factors["etaR"] * propeller.open_water_efficiency
             delivered = power / efficiency
             shaft = delivered / propeller.shaft_efficiency
-    c.require_readings()
     return HoltropResult(
         speed=speed,
-        froude=froude,
+        froude=c["Fn"],
         effective_power=power,
         coefficients=dict(c),
         propulsion=factors,
         delivered_power=delivered,
         shaft_power=shaft,
-        outside=ship.outside(froude, edition),
+        outside=ship.outside(c["Fn"], edition),
         **parts,
     )
 

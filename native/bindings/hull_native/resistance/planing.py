@@ -11,6 +11,7 @@ from .._resistance import GRAVITY, ittc_1957
 from .deadrise import bottom_deadrise
 from .planing_run import PlaningRun
 from .positive_numbers import check_positive, require_positive
+from .side_by_side import is_side_by_side
 from .water import water_viscosity
 
 _ROUGHNESS = 0.0004  # the ATTC's standard allowance
@@ -20,7 +21,8 @@ _ROUGHNESS = 0.0004  # the ATTC's standard allowance
 class PlaningBoat:
     """beam: mean over the chines that are wet, b. deadrise_deg: its mean. lcg: centre of gravity
     before the transom, along the keel; vcg: above the keel. thrust_angle_deg: of the shaft against
-    the keel, thrust_arm: distance of its line below the centre of gravity, f."""
+    the keel, thrust_arm: distance of its line below the centre of gravity, f. side_by_side:
+    hulls beside one another, which the formulas do not know."""
 
     mass_t: float
     beam: float
@@ -29,6 +31,7 @@ class PlaningBoat:
     vcg: float
     thrust_angle_deg: float = 0.0
     thrust_arm: float = 0.0
+    side_by_side: bool = False
 
     def __post_init__(self):
         check_positive(self, "A planing boat's", ("mass_t", "beam", "lcg"))
@@ -54,10 +57,20 @@ def attc_1947(reynolds_number):
 
 def _rough(line, allowance):
     """A friction line with a roughness allowance."""
+    if not math.isfinite(allowance):
+        raise ValueError(f"roughness_allowance must be a finite number, not {allowance}.")
     return lambda reynolds: line(reynolds) + allowance
 
 
 _LINES = {"attc": attc_1947, "ittc": ittc_1957}
+
+
+def _checked_viscosity(density, viscosity, gravity):
+    """The viscosity, that of water of the density for None, where all of them are above zero."""
+    if viscosity is None:
+        viscosity = water_viscosity(density)
+    require_positive(water_density=density, viscosity=viscosity, gravity=gravity)
+    return viscosity
 
 
 def savitsky(
@@ -79,11 +92,8 @@ def savitsky(
     """
     if friction_line not in _LINES:
         raise ValueError(f'friction_line must be "attc" or "ittc", not {friction_line!r}.')
-    if viscosity is None:
-        viscosity = water_viscosity(water_density)
-    require_positive(water_density=water_density, viscosity=viscosity, gravity=gravity)
-    line = _LINES[friction_line]
-    friction = _rough(line, roughness_allowance)
+    viscosity = _checked_viscosity(water_density, viscosity, gravity)
+    friction = _rough(_LINES[friction_line], roughness_allowance)
     results = []
     for speed in map(float, speeds):
         require_positive(speed=speed)
@@ -103,7 +113,8 @@ def planing_at_trims(boat, speed, trims_deg, *, readings=None, **how):
     readings: a dict for each trim, of what was measured or read off a chart and stands in place of
     the formulas': "wetted_length_ratio", "bottom_speed" (m/s), "pressure_place" (centre of pressure
     before the transom, of the mean wetted length). Other keywords as savitsky() has them, but for
-    the friction line, which is Schoenherr's.
+    the friction line, which is Schoenherr's. ValueError for what is no number above zero, and for
+    trims from 90°.
     """
     trims_deg = list(trims_deg)
     readings = [{}] * len(trims_deg) if readings is None else list(readings)
@@ -113,10 +124,14 @@ def planing_at_trims(boat, speed, trims_deg, *, readings=None, **how):
         _check_reading(reading)
     allowance = how.pop("roughness_allowance", _ROUGHNESS)
     density = how.pop("water_density", SEA_WATER_DENSITY)
-    viscosity = how.pop("viscosity", None) or water_viscosity(density)
     gravity = how.pop("gravity", GRAVITY)
+    viscosity = _checked_viscosity(density, how.pop("viscosity", None), gravity)
     if how:
         raise TypeError(f"Unknown arguments: {sorted(how)}.")
+    require_positive(speed=speed)
+    for trim in trims_deg:
+        if not 0.0 < trim < 90.0:
+            raise ValueError(f"A trim must be above 0° and below 90°, not {trim}°.")
     friction = _rough(attc_1947, allowance)
     found = []
     for trim, reading in zip(trims_deg, readings):
@@ -148,6 +163,7 @@ def planing_boat(body, *, draft, vcg, trim=0.0, draft_at=0.0, **given):
         "mass_t": water.displacement_t,
         "beam": water.waterline_beam,
         "lcg": water.lcb - water.waterline_aft,
+        "side_by_side": is_side_by_side(body, water, draft, trim, draft_at),
     }
     if "deadrise_deg" not in given:
         angle = bottom_deadrise(body, draft=draft, trim=trim, draft_at=draft_at)

@@ -171,8 +171,11 @@ class PlaningRun:
             ("trim in degrees", trim, 2.0, 15.0),
             ("wetted length to beam", ratio, 0.0, 4.0),
         )
-        return tuple(
+        said = [
             f"{name} {value:.3g} is outside {low} to {high}"
             for name, value, low, high in ranges
             if not low <= value <= high
-        )
+        ]
+        if self.boat.side_by_side:
+            said.append("hulls beside one another, which the formulas take for one boat")
+        return tuple(said)

@@ -46,15 +46,13 @@ def propulsion_factors(ship, propeller, c, edition):
     added = (c["1+k2"] - c["1+k1"]) * ship.appendage_area / wetted
     c["CV"] = (c["1+k1"] + added) * c["CF"] + c["CA"]
     breadth = math.sqrt(ship.beam * ship.draft)
-    forward = ship.prismatic - 0.0225 * ship.lcb_percent
+    forward = c["CP"] - 0.0225 * ship.lcb_percent
     if propeller.screws == 2:
-        wake = (
-            0.3095 * ship.block + 10.0 * c["CV"] * ship.block - 0.23 * propeller.diameter / breadth
-        )
-        deduction = 0.325 * ship.block - 0.1885 * propeller.diameter / breadth
+        wake = 0.3095 * c["CB"] + 10.0 * c["CV"] * c["CB"] - 0.23 * propeller.diameter / breadth
+        deduction = 0.325 * c["CB"] - 0.1885 * propeller.diameter / breadth
         rotative = 0.9737 + 0.111 * forward - 0.06325 * propeller.pitch_ratio
     elif propeller.open_stern:
-        wake = 0.3 * ship.block + 10.0 * c["CV"] * ship.block - 0.1
+        wake = 0.3 * c["CB"] + 10.0 * c["CV"] * c["CB"] - 0.1
         deduction, rotative = 0.10, 0.98
     else:
         _take_wake_coefficients(ship, propeller, c)
@@ -79,10 +77,10 @@ def _take_wake_coefficients(ship, propeller, c):
     c["c9"] = c["c8"] if c["c8"] < 28.0 else 32.0 - 16.0 / (c["c8"] - 24.0)
     deep = aft / diameter
     c["c11"] = deep if deep < 2.0 else 0.0833333 * deep**3 + 1.33333
-    c["CP1"] = 1.45 * ship.prismatic - 0.315 - 0.0225 * ship.lcb_percent
+    c["CP1"] = 1.45 * c["CP"] - 0.315 - 0.0225 * ship.lcb_percent
     if not c["CP1"] < 1.0:
         raise ValueError(
-            f"Holtrop's wake has no value for a prismatic coefficient of {ship.prismatic:.3g} with "
+            f"Holtrop's wake has no value for a prismatic coefficient of {c['CP']:.3g} with "
             f"lcb_percent {ship.lcb_percent:.3g}."
         )
 
@@ -91,16 +89,16 @@ def _wake_1982(ship, c):
     viscous = c["c9"] * c["CV"] * ship.length / ship.draft_aft
     viscous *= 0.0661875 + 1.21756 * c["c11"] * c["CV"] / (1.0 - c["CP1"])
     potential = 0.24558 * math.sqrt(ship.beam / (ship.length * (1.0 - c["CP1"])))
-    fullness = 0.11434 / (0.95 - ship.block) - 0.09726 / (0.95 - ship.prismatic)
+    fullness = 0.11434 / (0.95 - c["CB"]) - 0.09726 / (0.95 - c["CP"])
     stern = ship.stern_coefficient * (0.75 * c["CV"] + 0.002)
     return viscous + potential + fullness + stern
 
 
 def _wake_1984(ship, c):
-    if ship.prismatic < 0.7:
-        c["c19"] = 0.12997 / (0.95 - ship.block) - 0.11056 / (0.95 - ship.prismatic)
+    if c["CP"] < 0.7:
+        c["c19"] = 0.12997 / (0.95 - c["CB"]) - 0.11056 / (0.95 - c["CP"])
     else:
-        c["c19"] = 0.18567 / (1.3571 - ship.midship) - 0.71276 + 0.38648 * ship.prismatic
+        c["c19"] = 0.18567 / (1.3571 - ship.midship) - 0.71276 + 0.38648 * c["CP"]
     c["c20"] = 1.0 + 0.015 * ship.stern_coefficient
     viscous = c["c9"] * c["CV"] * ship.length / ship.draft_aft
     viscous *= 0.050776 + 0.93405 * c["c11"] * c["CV"] / (1.0 - c["CP1"])
@@ -123,5 +121,5 @@ def _deduction_1982(ship, propeller, c):
 def _deduction_1984(ship, propeller, c):
     broad = (ship.beam / ship.length) ** 0.28956
     large = (math.sqrt(ship.beam * ship.draft) / propeller.diameter) ** 0.2624
-    run = (1.0 - ship.prismatic + 0.0225 * ship.lcb_percent) ** 0.01762
+    run = (1.0 - c["CP"] + 0.0225 * ship.lcb_percent) ** 0.01762
     return 0.25014 * broad * large / run + 0.0015 * ship.stern_coefficient

@@ -113,7 +113,8 @@ def holtrop_table(body, speeds, *, draft, trim=0.0, draft_at=0.0, given=None, **
 
 def holtrop_rows(ship, speeds, **how):
     """The rows of holtrop_table() for a HoltropShip; keywords as holtrop()."""
-    return [_holtrop_row(result, ship.length) for result in holtrop(ship, speeds, **how)]
+    gravity = how.get("gravity", GRAVITY)
+    return [_holtrop_row(result, ship.length, gravity) for result in holtrop(ship, speeds, **how)]
 
 
 def savitsky_table(boat, speeds, **how):
@@ -151,7 +152,7 @@ def delft_table(yacht, speeds, **how):
         heel = found.heeled_friction + found.heeled_residuary + found.heeled_keel
         rows.append(
             {
-                **_speed_columns(found.speed, yacht.length),
+                **_speed_columns(found.speed, yacht.length, how.get("gravity", GRAVITY)),
                 "friction_kN": found.friction,
                 "residuary_kN": found.residuary,
                 "keel_kN": found.keel_friction + found.keel_residuary,
@@ -182,13 +183,13 @@ def _planing_row(found):
     }
 
 
-def _speed_columns(speed, length):
-    froude = speed / math.sqrt(GRAVITY * length)
+def _speed_columns(speed, length, gravity=GRAVITY):
+    froude = speed / math.sqrt(gravity * length)
     return {"speed_kn": speed / KNOT, "speed_m_s": speed, "froude": froude}
 
 
-def _holtrop_row(result: HoltropResult, length):
-    row = _speed_columns(result.speed, length)
+def _holtrop_row(result: HoltropResult, length, gravity):
+    row = _speed_columns(result.speed, length, gravity)
     row.update({f"{name}_kN": getattr(result, name) for name in _HOLTROP})
     row["effective_power_kW"] = result.effective_power
     if result.propulsion:

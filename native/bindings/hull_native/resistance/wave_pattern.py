@@ -12,7 +12,8 @@ from .positive_numbers import require_positive
 _NODES, _TURN = 16, 12.0
 _STEEPEST = math.radians(89.0)
 _MOST_NODES = 200_000
-_BATCH = 256  # points at once
+_BATCH = 256  # points or nodes at once
+_MOST_AT_ONCE = 4_000_000  # of points by nodes, 64 MB of each array
 
 # Of waves_behind(): points of a cut, cuts, how far they reach in ship lengths (or waves, where
 # these are longer), the tangent of half of Kelvin's wedge, and the steepest waves.
@@ -35,8 +36,8 @@ def wave_heights(integral, speed, points, *, gravity, steepest=math.radians(80.0
         raise ValueError(f"points must be finite, of shape (n, 2), not {points.shape}.")
     reach = np.abs(points).max(axis=0, initial=0.0)
     along, across, factors = _waves(integral, speed, reach, gravity, steepest)
-    heights = []
-    for batch in np.array_split(points, max(1, math.ceil(len(points) / _BATCH))):
+    heights, at_once = [], max(1, min(_BATCH, _MOST_AT_ONCE // factors.size))
+    for batch in np.array_split(points, max(1, math.ceil(len(points) / at_once))):
         waves = np.exp(-1j * np.outer(batch[:, 0], along))
         sides = 2.0 * np.cos(np.outer(batch[:, 1], across))
         heights.append(((waves * sides) @ factors).real)
@@ -78,6 +79,7 @@ def waves_behind(integral, speed, *, stern, gravity):
     Waves that are less than two spacings of the cuts long across the track are left out: they would
     be seen as longer ones that are not there. ValueError as wave_heights().
     """
+    require_positive(speed=speed, gravity=gravity)
     wave = 2.0 * math.pi * speed**2 / gravity  # the longest one's length
     reach = _LENGTHS * max(integral.length, wave)
     x = np.linspace(0.5 * wave, reach, _POINTS)
