@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Hulls of others: what is wrong is said with what helps, and each button does what it says."""
 
+import math
+
 import bmesh
 import bpy
 import numpy as np
@@ -172,6 +174,38 @@ def test_particulars_that_are_none_of_the_surface_are_taken_from_it():
     settings.beam = 2.0
     assert [remedy for remedy, _ in doubts(hull)] == ["TAKE", "TAKE"]
     assert any("Cb is 2.000" in doubt.message for doubt in state_of(hull).plausible.doubts)
+
+
+def test_in_edit_mode_the_particulars_are_those_of_the_surface_now():
+    hull = add_hull()
+    hull.hull.length_pp = 1.0
+    doubts(hull)
+    bpy.ops.object.mode_set(mode="EDIT")
+    net = bmesh.from_edit_mesh(hull.data)
+    for vertex in net.verts:
+        vertex.co.x *= 1.5
+    bmesh.update_edit_mesh(hull.data)
+    bpy.context.view_layer.update()
+    assert bpy.ops.hull.take_from_surface(names={"length_pp"}) == {"FINISHED"}
+    assert hull.hull.length_pp == pytest.approx(15.0)
+    bpy.ops.object.mode_set(mode="OBJECT")
+
+
+def test_a_coordinate_that_is_no_number_does_not_end_what_follows():
+    """Of a hull with ties, too: the scale that is looked for is of finite places only."""
+    hull = sample("coaster")
+    anchor = part("bridge.mesh.point_ties").ANCHOR
+    part("features.constraints.ties").tie_points(hull, anchor, [3], [(5, 5)])
+    hull.data.update_tag()
+    bpy.context.view_layer.update()
+    place = hull.data.vertices[8].co.x
+    for x in (math.nan, place, place + 0.01):
+        hull.data.vertices[8].co.x = x
+        hull.data.update_tag()
+        bpy.context.view_layer.update()
+        assert math.isnan(x) == bool(refreshed(hull).ship.check.errors)
+    ties = state_of(hull).keeping.ties
+    assert ties.points[8, 0] == np.float32(place + 0.01)
 
 
 def test_both_sides_that_count_as_half_are_counted_as_whole():

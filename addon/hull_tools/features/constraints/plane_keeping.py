@@ -87,9 +87,11 @@ def _is_of_mesh(obj, before, points):
 
 def affine_map(before, after):
     """(matrix (3, 3), shift (3,)): after = before @ matrix + shift, points (n, 3), but for the
-    rounding of single precision; None where there is no such map, or so few positions of points
-    that this means nothing."""
+    rounding of single precision; None where there is no such map, a coordinate is no number, or
+    there are so few positions of points that this means nothing."""
     size = max(np.abs(before).max(initial=0.0), np.abs(after).max(initial=0.0))
+    if not np.isfinite(size):
+        return None
     if _is_held(before, after, _AFFINE * size):
         return None
     if any(len(np.unique(part)) < _LEAST_POSITIONS for part in before.T):

@@ -27,7 +27,7 @@ class Plausible:
         hydrostatics.HydrostaticValues, or None."""
         geometry = ship.geometry_key
         if self._key != geometry and (obj.mode != "EDIT" or self.extents is None):
-            self.extents = plausibility.extents(ship.surface.tessellate(_POINTS).points)
+            self.extents = _extents(ship)
             self._key = geometry
         settings = obj.hull
         given = {name: as_typed(getattr(settings, name)) * scale for name in _GIVEN}
@@ -39,9 +39,14 @@ class Plausible:
         )
 
 
+def _extents(ship):
+    return plausibility.extents(ship.surface.tessellate(_POINTS).points)
+
+
 def take_from_surface(obj, state, scene, names):
     """Gives a hull the particulars of these names that its surface has; returns them, {name: m}."""
-    values = plausibility.taken(names, obj.hull.half, state.plausible.extents)
+    # Those that doubts go by are of before edit mode.
+    values = plausibility.taken(names, obj.hull.half, _extents(state.ship))
     for name, value in values.items():
         setattr(obj.hull, name, value / units.metres_per_unit(scene))
     return values
