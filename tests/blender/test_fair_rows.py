@@ -217,6 +217,15 @@ def test_a_row_is_shown_and_faired():
     assert "row" not in state_of(hull).fairness.combs
 
 
+def test_rows_that_cannot_be_shown_for_another_reason_say_it():
+    hull, _ = coaster_row()
+    hull.hull.fairness.comb_stations = True
+    hull.hull.lines.show_stations, hull.hull.lines.stations = True, "abc"
+    with pytest.raises(RuntimeError, match='"abc" should be numbers'):
+        bpy.ops.hull.show_rows()
+    bpy.ops.object.mode_set(mode="OBJECT")
+
+
 def test_what_holds_points_holds_in_rows():
     hull, row = coaster_row()
     locked = row.points[len(row.points) // 2 - 1]

@@ -35,6 +35,8 @@ def show(obj, scene, adds=False):
     row_marks.mark(obj.data, edges)
     obj.hull.fairness.comb_rows = True
     state = hull_state.follow_edit(obj, scene, is_by_hand=False)
+    if "row" not in state.fairness.combs:
+        raise ValueError(state.fairness.status)
     return len(state.fairness.combs["row"].rows)
 
 
