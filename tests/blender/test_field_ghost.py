@@ -83,6 +83,27 @@ def test_numbers_and_sectional_areas_are_compared():
     assert part("features.fields.before").changes(hull) == []
 
 
+def test_it_has_the_appendages_and_openings_of_the_hull():
+    """So that what is told to change is the fields' alone."""
+    hull = sample()
+    bpy.ops.hull.add_appendage(kind="FIN_KEEL")
+    changed()
+    bpy.context.view_layer.objects.active = hull
+    bare = state_of(hull).ship.source.alone
+    was = state_of(hull).hydrostatics.values
+    without = bare.new_ship().hydrostatics(part("features.flotation.afloat").afloat(hull.hull, 1.0))
+    assert abs(was.displaced_volume - without.displaced_volume) > 1e-4 * was.displaced_volume
+    add(hull, side_point(hull), extent=20.0, shift=(0.0, 0.3, 0.0))
+    bpy.ops.hull.preview_fields()
+    changed()
+    known = before_of(hull)
+    assert known.values.displaced_volume == pytest.approx(was.displaced_volume, rel=1e-7)
+    hull.hull.deck_closed = not hull.hull.deck_closed
+    changed()
+    assert known._ship.body.openings == state_of(hull).ship.body.openings
+    bpy.ops.hull.cancel_fields()
+
+
 def test_of_a_finer_start_it_is_the_same_hull():
     hull, field, own = previewed()
     bpy.ops.hull.subdivide_for_fields()

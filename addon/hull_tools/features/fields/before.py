@@ -2,7 +2,7 @@
 """A hull that is previewed as it was before: its lines as a ghost, its sectional areas beside those
 of now, its hydrostatics to be compared with. They do not change while fields do."""
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from ...bridge.blender import preferences, units
 from ..curves_of_form import beside, sectional_areas
@@ -22,15 +22,18 @@ class Before:
     lines: ghost_lines.GhostLines = field(default_factory=ghost_lines.GhostLines)
     values: object = None
     _ship: object = None
-    _key: tuple = None  # of the surface, and how it lies in the water
+    _key: tuple = None  # of the surface, how it lies in the water, and what is joined to it
+    _own: object = None  # the surface that the ships are of
+    _ships: dict = field(default_factory=dict)  # by what is joined
     _area_key: tuple = None
 
     def follow(self, obj, state, own, scale):
         """Brings all up to date with the prepared.Prepared of before, None without a preview."""
         if own is None:
-            self.values = self._ship = self._key = None
+            self.values = self._ship = self._key = self._own = None
+            self._ships = {}
         else:
-            self._follow_numbers(own, _where(obj.hull, scale))
+            self._follow_numbers(own, state.ship, _where(obj.hull, scale))
         self._follow_lines(obj.hull, own, scale)
         self._follow_areas(obj, state)
 
@@ -43,16 +46,40 @@ class Before:
         except ValueError:  # no places for lines, which the hull's own lines tell
             self.lines.clear()
 
-    def _follow_numbers(self, own, where):
-        if self._key == (own.key, where):
+    def _follow_numbers(self, own, now, where):
+        """now: the live_ship.LiveShip, whose openings and appendages it has, so that what differs
+        is the fields' alone."""
+        source, like = own.source, now.source or own.source
+        source = replace(
+            source,
+            openings=like.openings,
+            deck_edge=like.deck_edge,
+            appendages=like.appendages,
+            once=like.once,
+        )
+        bodies = (now.appendages_key, source.once) if source.appendages or source.once else ()
+        key = (own.key, where, source.openings, source.deck_edge, bodies)
+        if self._key == key:
             return
-        self._key, self.values = (own.key, where), None
-        self._ship = ship.Ship(own.source.live_body(own.surface), own.source.deck_edge)
-        if where is not None:
-            try:
+        self._key, self.values = key, None
+        try:
+            self._ship = self._ship_of(source, own.surface, key[2:])
+            if where is not None:
                 self.values = hydrostatics.at(self._ship, where)
-            except ValueError:
-                pass  # it does not float so, which the panel tells of the hull itself
+        except ValueError:
+            pass  # it does not float so, which the panel tells of the hull itself
+
+    def _ship_of(self, source, surface, key):
+        """While points move appendages are left out, and joined again when they rest: both ships
+        are kept."""
+        if self._own is not surface:
+            self._own, self._ships = surface, {}
+        if key not in self._ships:
+            body = source.new_body(surface, tolerance=ship.LIVE)
+            while len(self._ships) > 1:
+                self._ships.pop(next(iter(self._ships)))
+            self._ships[key] = ship.Ship(body, source.deck_edge)
+        return self._ships[key]
 
     def _follow_areas(self, obj, state):
         is_wanted = self.values is not None and obj.hull.plots.sectional_areas

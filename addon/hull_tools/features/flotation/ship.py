@@ -8,6 +8,9 @@ from ...bridge import native
 from ...bridge.mesh.mesh_arrays import ControlArrays
 from . import hydrostatics
 
+# Of the whole: the tolerance of bodies whose numbers follow the mouse.
+LIVE = 1e-8
+
 
 @dataclass(frozen=True, eq=False)
 class Ship:
@@ -88,7 +91,7 @@ class ShipSource:
 
     def live_body(self, surface):
         """One for numbers that follow the mouse, to some 1e-8 of the whole, without appendages."""
-        return self.bare_body(surface, tolerance=1e-8)
+        return self.bare_body(surface, tolerance=LIVE)
 
 
 def overlap_words(overlaps):
