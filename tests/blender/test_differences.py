@@ -2,6 +2,7 @@
 """Differences between a hull and another one, in numbers and in colours, follow both."""
 
 import csv
+import math
 
 import bmesh
 import bpy
@@ -76,6 +77,19 @@ def test_they_are_those_of_both_hulls_own_panels():
     hull.hull.variants.compared_with, hull.hull.variants.other_hull = "HULL", other
     again = result_of(hull).by["OWN"].rows
     assert {k: r.difference for k, r in again.items()} == {k: r.difference for k, r in rows.items()}
+
+
+def test_a_variant_has_the_appendages_of_the_hull():
+    """It differs by its form alone."""
+    hull = afloat_box()
+    bpy.ops.hull.add_appendage(kind="TUNNEL", x=7.0, z=0.5, radius=0.3)
+    bpy.context.view_layer.update()
+    make_active(hull)
+    bpy.ops.hull.keep_variant(name="as it is")
+    volume = state_of(hull).hydrostatics.values.displaced_volume
+    assert volume == pytest.approx(40.0 - math.pi * 0.3**2 * 4.0, rel=1e-6)  # the tunnel counts
+    rows = result_of(hull).by["SAME"].rows
+    assert abs(rows["displaced_volume"].difference) < 1e-6 * volume
 
 
 def test_tables(tmp_path):

@@ -2,11 +2,12 @@
 """The hull that a hull is compared with: one of its variants, or another hull object. Both lie on
 one another by their own origins, as if they were one object."""
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from ...bridge.mesh import mesh_check
 from ...bridge.objects import hull_mesh, hull_objects
 from ..flotation import ship
+from ..flotation.appendages import native_bodies
 from ..hull import hull_state
 from . import kept_hulls
 
@@ -71,14 +72,25 @@ def _object(obj, other):
 
 
 def _variant(obj, entry, scale):
-    found = hull_mesh.read(kept_hulls.as_hull(obj, entry))
+    found, state = hull_mesh.read(kept_hulls.as_hull(obj, entry)), hull_state.state_of(obj)
+    # Bodies of the mesh that overlap count as those of the hull do.
+    once = state.ship.source is not None and state.ship.source.once
     key = (found.topology_key, found.points_digest, scale, found.openings,
-           found.data.deck_edges.tobytes())  # fmt: skip
-    known = hull_state.state_of(obj).of(_Known)
+           found.data.deck_edges.tobytes(), found.appendages, once)  # fmt: skip
+    known = state.of(_Known)
     if known.key != key:
         control = found.control(scale)
         check, mesh = mesh_check.check_control_mesh(found.data, control, found.half)
         if mesh is None:
             raise ValueError(f'"{entry.name}" has no surface: {check.errors[0].message}')
-        known.key, known.source = key, ship.source_of(found, control)
+        source = ship.source_of(found, control, _bodies(found, control, scale))
+        known.key, known.source = key, replace(source, once=once)
     return Other(entry.name, key, known.source)
+
+
+def _bodies(found, control, scale):
+    """Appendages, none where one of them is no body, as for the hull itself, which says so."""
+    try:
+        return native_bodies(found.appendages, scale, control.points)
+    except ValueError:
+        return []
