@@ -256,3 +256,22 @@ def test_why_not_is_said(monkeypatch):
     with pytest.raises(RuntimeError, match="same direction by both"):
         bpy.ops.hull.subdivide_exactly()
     assert len(hull.data.polygons) == 20
+
+
+def test_what_could_not_follow_is_refused_before_anything_is_changed(monkeypatch):
+    """Of many triangles the finer mesh is too fine, though its faces are few enough."""
+    hull = grid_hull(8, 8)
+    edit(hull)
+    bpy.ops.mesh.select_all(action="SELECT")
+    bpy.ops.mesh.quads_convert_to_tris()
+    bpy.ops.object.mode_set(mode="OBJECT")
+    state = part("features.hull.hull_state").up_to_date(hull, bpy.context.scene)
+    work = part("bridge.mesh.mesh_check")
+    control = state.ship.source.control
+    now = work._work(control, True, work._irregular_cells(control))
+    monkeypatch.setattr(part("bridge.limits"), "MOST_SHOWN_FACES", now + 1)
+    before = mesh_points(hull)
+    with pytest.raises(ValueError, match="of which too many have irregular corners"):
+        subdivide(hull)
+    assert np.array_equal(mesh_points(hull), before)
+    assert not state_of(hull).status

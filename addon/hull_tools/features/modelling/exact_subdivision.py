@@ -8,14 +8,14 @@ selected come along. Faces that do not belong to the shell stay, and get the poi
 that they share with it.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import bmesh
 import numpy as np
 
 from ...bridge import limits
 from ...bridge.blender import blender_versions, units
-from ...bridge.mesh import corner_layers, mesh_arrays
+from ...bridge.mesh import corner_layers, mesh_arrays, mesh_check
 from ...bridge.mesh.mesh_editing import check_single_user, editing
 from ..constraints import flats, planes, point_locks
 from ..hull import hull_state
@@ -49,6 +49,14 @@ def subdivide(obj, scene):
             f"{limits.MOST_CONTROL_FACES}: nobody can work on so many"
         )
     mesh = surface.refined_mesh()
+    control = replace(
+        source.control, face_sizes=mesh.face_sizes, face_vertices=np.ravel(mesh.face_vertices)
+    )
+    if mesh_check.is_too_fine(control, source.half):
+        raise ValueError(
+            f"The mesh would have {len(mesh.face_sizes)} faces, of which too many have irregular "
+            "corners for the surface to follow: make quadrilaterals of triangles first"
+        )
     points = np.where(np.abs(mesh.points) <= _ZERO * mesh.size, 0.0, mesh.points)
     points /= units.metres_per_unit(scene)
     with editing(obj.data) as bm:
