@@ -66,6 +66,7 @@ YACHT = {name: delft(name, value) for name, value in (
     ("waterplane_area", 900.0), ("wetted_surface", 1650.0), ("prismatic", 0.6), ("midship", 0.9),
     ("lcb", 40.0), ("lcf", 41.0),
 )}  # fmt: skip
+YACHT["side_by_side"] = resistance(True, hulls="BESIDE")
 KEEL = {
     **{name: delft(f"keel_{name}", value) for name, value in (
         ("wetted_surface", 60.0), ("chord", 5.0), ("thickness", 0.15), ("volume", 12.0),
@@ -103,6 +104,7 @@ PLANING = {
     "vcg": by(1.1, loading__kg=1.1),
     "thrust_angle_deg": resistance(5.0, shaft_angle=math.radians(5.0)),
     "thrust_arm": resistance(-0.1, thrust_arm=-0.1),
+    "side_by_side": resistance(True, hulls="BESIDE"),
 }
 # The method, what says how it is given, the table's function, and its argument that has it.
 KINDS = {

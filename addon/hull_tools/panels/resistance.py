@@ -145,6 +145,7 @@ class HULL_PT_resistance_inputs(HullPanel, bpy.types.Panel):
             if own.thruster_diameter:
                 column.prop(own, "thruster_coefficient")
             metric_field(column, own, "roughness_um")
+        if own.method != "MICHELL":  # which has no ranges of form that they would be out of
             text_field(layout, own, "hulls")
         rows = _inputs(own.method)
         if own.method == "MICHELL":

@@ -39,10 +39,8 @@ def _michell(body, asked, position):
 def _holtrop(body, asked, position):
     hull_native = native.require()
     ship = hull_native.holtrop_ship(body, **position)
-    own = {"stern_coefficient": asked.stern}
+    own = {"stern_coefficient": asked.stern, **_hulls(asked)}
     own["thruster_diameter"], own["thruster_coefficient"] = asked.thruster
-    if asked.side_by_side is not None:
-        own["side_by_side"] = asked.side_by_side
     if asked.appendages:
         own["appendages"] = (asked.appendages,)
     propeller = hull_native.Propeller(**dict(asked.propeller)) if asked.propeller else None
@@ -56,6 +54,11 @@ def _holtrop(body, asked, position):
     return Found(rows, asdict(ship))
 
 
+def _hulls(asked):
+    """Whether hulls lie side by side, where that is given."""
+    return {} if asked.side_by_side is None else {"side_by_side": asked.side_by_side}
+
+
 def _savitsky(body, asked, position):
     hull_native = native.require()
     density, how = asked.where.water_density, {**position, **dict(asked.planing)}
@@ -67,6 +70,7 @@ def _savitsky(body, asked, position):
             raise
         measured = {}  # a bottom that has no deadrise: what is given counts
     boat = hull_native.planing_boat(body, water_density=density, **how, **given)
+    boat = replace(boat, **_hulls(asked))
     rows = hull_native.savitsky_table(boat, asked.speeds, water_density=density)
     return Found(rows, measured)
 
@@ -81,7 +85,7 @@ def _delft(body, asked, position):
     )
     names = {each.name for each in fields(yacht)}
     rows = hull_native.delft_table(
-        replace(yacht, **{name: value for name, value in asked.given if name in names}),
+        replace(yacht, **_hulls(asked), **{n: value for n, value in asked.given if n in names}),
         asked.speeds,
         heel_deg=asked.heel_deg,
         keel=keels,
