@@ -30,6 +30,8 @@ def change(hull, random):
         setattr(group, prop.identifier, value[0])
     except (TypeError, ValueError) as error:
         return f"{prop.identifier} refused: {error}"
+    # Of settings that no panel shows, as planes of flats, Blender tells nobody what a script does.
+    hull.update_tag(refresh={"DATA"})
     return f"{hull.name} {group.path_from_id()}.{prop.identifier} {value[0]}"
 
 
