@@ -49,21 +49,22 @@ class Before:
     def _follow_numbers(self, own, now, where):
         """now: the live_ship.LiveShip, whose openings and appendages it has, so that what differs
         is the fields' alone."""
-        source, like = own.source, now.source or own.source
+        like = now.source or own.source
+        joined = like.appendages and now.appendages_key
+        what = (like.openings, like.deck_edge, like.once, joined)
+        key = (own.key, where, what)
+        if self._key == key:
+            return
+        self._key, self.values = key, None
         source = replace(
-            source,
+            own.source,
             openings=like.openings,
             deck_edge=like.deck_edge,
             appendages=like.appendages,
             once=like.once,
         )
-        bodies = (now.appendages_key, source.once) if source.appendages or source.once else ()
-        key = (own.key, where, source.openings, source.deck_edge, bodies)
-        if self._key == key:
-            return
-        self._key, self.values = key, None
         try:
-            self._ship = self._ship_of(source, own.surface, key[2:])
+            self._ship = self._ship_of(source, own.surface, what)
             if where is not None:
                 self.values = hydrostatics.at(self._ship, where)
         except ValueError:

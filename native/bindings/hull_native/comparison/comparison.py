@@ -156,12 +156,12 @@ def compare_hulls(hull, other, *, stations=None, paths=None):
     for trims about places that are not alike, as one has Lpp and the other has not.
     """
     has_length = [bool(one.length_pp) for one in (hull, other)]
-    if has_length[0] != has_length[1]:
-        if any(one.trim and one.draft_at is None for one in (hull, other)):
-            raise ValueError(
-                "The draft of a trimmed hull is that at half of its Lpp, which one of these has "
-                "not: give draft_at, or Lpp of both."
-            )
+    is_open = any(one.trim and one.draft_at is None for one in (hull, other))
+    if is_open and has_length[0] != has_length[1]:
+        raise ValueError(
+            "The draft of a trimmed hull is that at half of its Lpp, which one of these has not: "
+            "give draft_at, or Lpp of both."
+        )
     found, others = hull.hydrostatics(), other.hydrostatics()
     rows = tuple(difference(path, found, others, other.length_pp) for path in paths or quantities())
     return Comparison(rows, compare_areas(hull, other, stations=stations))
