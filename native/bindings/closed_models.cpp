@@ -153,8 +153,7 @@ void bind_closed_models(py::module_& module) {
       py::arg("points"), py::arg("triangles"), py::arg("places"),
       "(n,) whether one of triangles (m, 3) of points, which need not enclose anything, is above "
       "each of places (n, 3), towards +z. ValueError for triangles of points that there are not, "
-      "and for "
-      "points and places that are not finite.");
+      "and for points and places that are not finite.");
   module.def(
       "closed_model",
       [](const analysis::HullBody& body, double tolerance, const py::object& progress) {
