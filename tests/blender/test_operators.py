@@ -224,6 +224,18 @@ def test_a_problem_of_a_hull_that_cannot_be_seen_is_not_selected():
         bpy.ops.hull.select_problem(index=0)
 
 
+def test_a_hull_whose_mesh_another_object_left_in_edit_mode_is_not_edited():
+    """As a script leaves them that exchanges the mesh of an object in edit mode."""
+    hull = add_hull()
+    bpy.ops.mesh.primitive_cube_add()
+    bpy.ops.object.mode_set(mode="EDIT")
+    other = bpy.context.object
+    hull.data, other.data = other.data, hull.data
+    make_active(hull)
+    with pytest.raises(RuntimeError, match="cannot be edited here: .*open it again"):
+        bpy.ops.hull.select_creases()
+
+
 def test_a_fractional_crease_is_a_warning():
     hull = add_hull()
     bm = bmesh.new()

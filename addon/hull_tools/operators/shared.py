@@ -125,7 +125,8 @@ def suit_views(context):
 
 
 def enter_edit_mode(context, hull):
-    """ValueError where the hull of a surface that is at hand can't be seen."""
+    """ValueError where the hull of a surface that is at hand can't be seen, and where Blender does
+    not edit it: a script that changed objects' meshes in edit mode leaves such."""
     if hull.mode == "EDIT":
         return
     if not hull.visible_get(view_layer=context.view_layer):
@@ -136,7 +137,13 @@ def enter_edit_mode(context, hull):
     if context.mode != "OBJECT":
         bpy.ops.object.mode_set(mode="OBJECT")
     context.view_layer.objects.active = hull
-    bpy.ops.object.mode_set(mode="EDIT")
+    try:
+        bpy.ops.object.mode_set(mode="EDIT")
+    except RuntimeError as error:
+        raise ValueError(
+            f'"{hull.name}" cannot be edited here: Blender holds its mesh for being edited already; '
+            "save the file and open it again"
+        ) from error
 
 
 class BaseOperator:
