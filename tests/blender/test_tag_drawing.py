@@ -52,6 +52,14 @@ def test_rails_of_an_edge_seen_from_its_end(arrays):
     assert np.isfinite(arrays.rails(point, 3.0, VIEWPORT)).all()
 
 
+def test_points_that_are_no_numbers_do_not_change_the_spacing(arrays):
+    points = np.random.default_rng(SEED).uniform(-1.0, 1.0, (40, 3)) - (0.0, 0.0, 5.0)
+    clip = arrays.in_clip(points, perspective())
+    odd = np.concatenate([clip[:9], np.full((3, 4), np.nan), clip[9:]])
+    assert arrays.spacing(odd, VIEWPORT) == arrays.spacing(clip, VIEWPORT)
+    assert arrays.spacing(odd[9:12], VIEWPORT) == np.inf
+
+
 def test_segments_end_before_the_eye(arrays):
     points = np.array([(0, 0, -5), (1, 0, -5), (0, 0, 5), (1, 1, 3)], dtype=float)
     clip = arrays.in_clip(points, perspective())

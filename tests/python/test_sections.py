@@ -206,6 +206,19 @@ def test_splines_describe_themselves():
             assert np.abs(ends - spline.control_points[[0, -1]]).max() < 1e-12
 
 
+def test_splines_pass_over_edges_without_length():
+    """Two corners of the border lie in one place."""
+    points = [(0, 2, 0), (0, 0, 0), (3, 2, 0), (3, 0, 0), (3, 4, 0), (3, 0, 0)]
+    faces, corners = [1, 0, 2, 3, 3, 2, 4, 5], [3, 4, 5]
+    creases = [(2, 3), (3, 1), (4, 5), (5, 3)]
+    mesh = hn.ControlMesh(np.array(points, dtype=float), [4, 4], faces, creases, corners)
+    surface = hn.LimitSurface(mesh)
+    for x in ("x", "y", "z"):
+        for at in (0.0, 3.0):
+            for branch in hn.section_splines(surface, [hn.plane_across(x, at)], 1e-6)[0]:
+                assert all(np.ptp(spline.knots) > 1e-9 for spline in branch.splines)
+
+
 def test_refusals():
     barge = surface_of(ROOT / "samples" / "barge.hull.json")[2]
     with pytest.raises(ValueError, match="axis"):

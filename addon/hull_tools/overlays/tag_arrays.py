@@ -54,7 +54,8 @@ def places(clip):
 
 def spacing(clip, viewport):
     """How far points are apart in the picture, about, in dots; infinite where the eye is among
-    them."""
+    them. Points that are no numbers, which Blender's operators can leave, are passed over."""
+    clip = clip[np.isfinite(clip).all(axis=1)]
     if not len(clip) or clip[:, 3].min() <= 0.0:
         return np.inf
     extent = np.ptp(clip[:, :2] / clip[:, 3:], axis=0) * 0.5 * np.asarray(viewport)

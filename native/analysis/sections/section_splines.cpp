@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "analysis/arithmetic/tridiagonal.h"
+#include "mesh/tolerances.h"
 
 namespace hull::analysis {
 namespace {
@@ -209,6 +210,7 @@ std::vector<SectionSplines> section_splines(const surface::LimitSurface& surface
   std::vector<SectionSplines> result;
   // Between the points the course is known to a part of their chords' distances from it.
   double chord_tolerance = 0.25 * tolerance;
+  const double no_length = kNoLength * surface.mesh().size();
   for (int finer = 0; finer <= kMostFiner; ++finer, chord_tolerance *= 0.25) {
     result.clear();
     double largest = 0.0;
@@ -216,7 +218,10 @@ std::vector<SectionSplines> section_splines(const surface::LimitSurface& surface
       SectionSplines& branch = result.emplace_back();
       branch.closed = curve.closed;
       for (const SmoothStretch& stretch : smooth_stretches(curve)) {
-        branch.splines.push_back(fit(course_of(curve, stretch, plane), tolerance));
+        const Course course = course_of(curve, stretch, plane);
+        // Edges without length on the plane, and points in which it touches the surface.
+        if (course.length() <= no_length) continue;
+        branch.splines.push_back(fit(course, tolerance));
         largest = std::max(largest, branch.splines.back().largest_distance);
       }
     }

@@ -144,7 +144,13 @@ class OwnWork:
             curve.location.y += self._random.uniform(-1.0, 1.0)
         elif how == "remove":
             bpy.data.objects.remove(curve)
-        elif curve.mode == "OBJECT" and curve.data.splines and curve.data.splines[0].points:
+        elif _has_points(curve):
             curve.data.splines[0].points[0].co.z += self._random.uniform(-1.0, 1.0)
             curve.data.update_tag()
         return told
+
+
+def _has_points(curve):
+    """Whether an object is a curve, still, whose points can be moved from here."""
+    is_curve = curve.mode == "OBJECT" and curve.type == "CURVE"
+    return is_curve and bool(curve.data.splines) and bool(curve.data.splines[0].points)
