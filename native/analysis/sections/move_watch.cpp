@@ -6,7 +6,8 @@
 
 namespace hull::analysis {
 
-MoveWatch::MoveWatch(const surface::LimitSurface& surface) : stamp_(surface), boxes_(surface) {}
+MoveWatch::MoveWatch(const surface::LimitSurface& surface)
+    : stamp_(surface), boxes_(surface), size_(surface.mesh().size()) {}
 
 void MoveWatch::update() {
   const surface::LimitSurface& surface = stamp_.surface();
@@ -24,11 +25,14 @@ void MoveWatch::update() {
     const Vector3d high = moved_[i].half.cwiseMax(boxes_.high(cells_[i]));
     moved_[i] = {0.5 * (low + high), 0.5 * (high - low)};
   }
+  has_other_size_ = surface.mesh().size() != size_;
+  size_ = surface.mesh().size();
   stamp_.renew();
 }
 
 bool MoveWatch::comes_near(const Plane& plane, double margin) const {
   stamp_.require_current("The watch");
+  if (has_other_size_) return true;
   const Vector3d extent = plane.normal.cwiseAbs();
   return std::any_of(moved_.begin(), moved_.end(), [&](const Box& box) {
     return std::abs(plane.height(box.middle)) <= extent.dot(box.half) + margin;

@@ -20,7 +20,8 @@ class MoveWatch {
   // counts from now on. Until then the queries throw std::invalid_argument.
   void update();
 
-  // Whether a cell that has moved comes, or came, nearer to the plane than `margin`, m.
+  // Whether a cell that has moved comes, or came, nearer to the plane than `margin`, m. True of all
+  // planes where the size of the mesh has changed, of which the rounding of a section is a part.
   bool comes_near(const Plane& plane, double margin) const;
 
   // The cells that have moved, in order.
@@ -38,6 +39,8 @@ class MoveWatch {
   CellBoxes boxes_;
   std::vector<int> cells_;
   std::vector<Box> moved_;  // around each of these before and after
+  double size_;             // of the mesh
+  bool has_other_size_ = false;
 };
 
 }  // namespace hull::analysis

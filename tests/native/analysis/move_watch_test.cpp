@@ -66,6 +66,23 @@ TEST(MoveWatch, SectionsThatNothingCameNearStay) {
   EXPECT_TRUE(watch.cells().empty());
 }
 
+// What of a section is rounding goes by the size: none is that of a new cut for certain.
+TEST(MoveWatch, ASizeThatChangesIsNearEverywhere) {
+  mesh::MeshArrays arrays = testing::grid(12, 4);
+  surface::LimitSurface surface{mesh::ControlMesh(arrays)};
+  MoveWatch watch(surface);
+  const Plane far = plane_across(Axis::kX, 11.0);
+  arrays.points[0].z() = -1.0;
+  surface.set_points(arrays.points);
+  watch.update();
+  EXPECT_TRUE(watch.comes_near(far, 0.0));
+  arrays.points[0].z() = -0.5;
+  arrays.points[1].z() = -1.0;  // as far as the other was
+  surface.set_points(arrays.points);
+  watch.update();
+  EXPECT_FALSE(watch.comes_near(far, 0.0));
+}
+
 TEST(MoveWatch, OutOfDateRefusesToAnswer) {
   mesh::MeshArrays arrays = testing::grid(4, 4);
   surface::LimitSurface surface{mesh::ControlMesh(arrays)};
