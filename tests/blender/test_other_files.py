@@ -190,6 +190,26 @@ def test_a_linked_hull_survives_saving_and_is_changed_once_local(library, tmp_pa
     assert surface(hull).name in bpy.context.scene.objects
 
 
+def test_a_linked_hull_and_one_of_the_file_have_one_name(library, monkeypatch):
+    own = add_hull("kept")
+    own.hull.draft = 2.0
+    linked = bring(library, link=True)
+    assert linked.name == own.name and linked != own
+    known = dict(part("features.hull.hull_state").known_hulls(bpy.context.view_layer))
+    assert known == {own: state_of(own), linked: state_of(linked)}
+    # What is missed of either is computed, of the one that it was missed of.
+    live, worker = part("features.analyses.live_analyses"), part("bridge.background.worker")
+    monkeypatch.setattr(live, "_PAUSE_SECONDS", 0.0)
+    for hull in (own, linked):
+        live.latest(hull, bpy.context.scene, "sectional_areas")
+    live.follow_wanted()
+    worker.finish()
+    live.take_finished()
+    for hull, draft in ((own, 2.0), (linked, 1.0)):
+        outcome, is_current = live.latest(hull, bpy.context.scene, "sectional_areas")
+        assert is_current and outcome.result.areas.areas.max() == pytest.approx(4.0 * draft)
+
+
 def test_an_override_is_measured_and_not_changed(library):
     linked = bring(library, link=True)
     hull = linked.override_create(remap_local_usages=True)

@@ -68,9 +68,12 @@ def _follow_one(hull, scene, is_by_hand):
 
 
 def _follow_all(is_by_hand=True):
-    for scene in bpy.data.scenes:
-        hulls = hull_objects.hulls(scene.objects)
-        _follow(hulls, scene, bpy.context.view_layer, is_by_hand)
+    """Each in its own scene, whose unit it is measured by. The scene at hand comes last: plots, and
+    hulls that are in several scenes, are as it has them."""
+    at_hand = bpy.context.scene
+    for scene in (*(other for other in bpy.data.scenes if other != at_hand), at_hand):
+        view_layer = bpy.context.view_layer if scene == at_hand else scene.view_layers[0]
+        _follow(hull_objects.hulls(scene.objects), scene, view_layer, is_by_hand)
 
 
 def _updates_of_objects(depsgraph):

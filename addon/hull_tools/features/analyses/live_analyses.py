@@ -159,8 +159,9 @@ def follow_wanted():
             key, _ = since.pop(name)
             if not analyses.last_outcome(obj, scene, name)[1]:
                 if analyses.key_of(obj, scene, name) == key:
-                    due.append((obj.name, name))
-    begin(due)
+                    due.append((state, name, key))
+    for one in due:
+        _begin(*one)
 
 
 def begin(wanted):

@@ -78,9 +78,18 @@ def is_outdated(obj):
 def known_hulls(view_layer):
     """Pairs (hull, HullState) of the hulls in a view layer of which something was computed."""
     for address, state in _states.items():
-        obj = view_layer.objects.get(state.name)
-        if obj is not None and obj.as_pointer() == address:
+        obj = _at(address, state.name, view_layer.objects)
+        if obj is not None:
             yield obj, state
+
+
+def _at(address, name, objects):
+    """The object at an address among objects, or None; found quickly by its name, which a linked
+    one may have in common with one of the file's own."""
+    obj = objects.get(name)
+    if obj is None or obj.as_pointer() == address:
+        return obj
+    return next((other for other in objects if other.as_pointer() == address), None)
 
 
 def follow_edit(obj, scene, is_by_hand=True, may_wait=False, placed=None):
@@ -249,5 +258,5 @@ def forget_deleted():
 
 def _is_there(address, name):
     """Whether a hull is at this address still; found quickly by the name it had."""
-    obj = bpy.data.objects.get(name)
-    return obj is not None and obj.as_pointer() == address and hull_objects.is_hull(obj)
+    obj = _at(address, name, bpy.data.objects)
+    return obj is not None and obj.name == name and hull_objects.is_hull(obj)
