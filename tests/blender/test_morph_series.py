@@ -141,3 +141,27 @@ def test_what_is_cancelled_leaves_nothing(tmp_path):
         task.result()
     assert [path.name for path in tmp_path.iterdir()] == [old.name]
     assert old.read_text() == "mine"
+
+
+def test_what_is_left_out_of_the_shell_is_left_out_of_the_series(tmp_path):
+    """A member at t is the hull at these weights, with the same layers."""
+    made = family()
+    layer = made.hull.layers.add()
+    layer.material, layer.in_hydrostatics = bpy.data.materials.new("Fin"), False
+    made.data.materials.clear()
+    for material in (bpy.data.materials.new("Shell"), layer.material):
+        made.data.materials.append(material)
+    # What has the first point goes, so that others have other numbers.
+    faces = [face.index for face in made.data.polygons if 0 in face.vertices]
+    for face in made.data.polygons:
+        face.material_index = int(face.index in faces)
+    made.data.update()
+    bpy.context.view_layer.update()
+    state = part("features.hull.hull_state").up_to_date(made, bpy.context.scene)
+    made.hull.morph.shown_mesh = part("features.morphing.members")._mesh_key(
+        part("bridge.objects.hull_mesh").read(made)
+    )
+    series = part("features.morphing.series").of_hull(made, bpy.context.scene, steps=2)
+    control = series.member(series.steps[1]).control
+    assert control.points.shape == state.ship.source.control.points.shape
+    assert np.allclose(control.points, state.ship.source.control.points, atol=1e-6)

@@ -68,6 +68,10 @@ def test_the_lines_of_a_hull_become_a_hull():
     part("features.hull.hull_state").up_to_date(hull, bpy.context.scene)
     assert not to_hull.last_report(network)[1]
     assert any("Out of date" in text for text in panel_of(network))
+    # The network keeps a hull that was deleted, which is told of no longer.
+    for collection in hull.users_collection:
+        collection.objects.unlink(hull)
+    assert to_hull.last_report(network) == (None, False)
 
 
 def test_a_layout_of_ones_own_is_taken():

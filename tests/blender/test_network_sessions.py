@@ -328,3 +328,15 @@ def test_refused_input_has_a_sentence():
         bpy.ops.hull.smooth_network_curve()
     assert bpy.ops.hull.remove_from_network() == {"FINISHED"}
     assert line.name not in network.objects
+
+
+def test_what_is_tied_follows_a_curve_that_was_renamed():
+    network = grid_network()
+    station = network.objects["Station 5"]
+    station.name = "Main frame"
+    bpy.context.view_layer.update()
+    before = points_of(network.objects["Buttock 5"])
+    move_point(station, 1, (0.0, 0.0, 1.0))
+    moved = points_of(network.objects["Buttock 5"])
+    assert np.abs(moved - before).max() == pytest.approx(1.0, abs=1e-6)
+    assert "Main frame" in state_of(network).curves and "Station 5" not in state_of(network).curves

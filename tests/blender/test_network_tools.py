@@ -252,3 +252,16 @@ def test_the_surface_is_measured_and_written(tmp_path):
     assert sorted(tmp_path.iterdir()) == before
     move_point(network.objects["Station 5"], 4, (0.0, 0.1, 0.0))
     assert state_of(network).revision != measured.revision
+
+
+def test_where_one_curve_cannot_be_smoothed_none_is():
+    network = grid_network(7)
+    wavy = network.objects["Station 5"]
+    short = add("BUTTOCK", [(0.0, 20.0, 0.0), (10.0, 20.0, 0.0)], position=20.0)
+    move_point(wavy, 3, (0.0, 0.0, 0.3))
+    before = points_of(wavy)
+    wavy.select_set(True)
+    short.select_set(True)
+    with pytest.raises(RuntimeError, match="fewer than 5 points"):
+        bpy.ops.hull.smooth_network_curve(deviation_mm=100.0)
+    assert np.array_equal(points_of(wavy), before)

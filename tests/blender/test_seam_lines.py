@@ -114,3 +114,13 @@ def test_names_are_of_plates_that_face_the_eye():
     np.testing.assert_allclose(seams.facing(places, normals, view), [1.0, 0.0, 0.8], atol=1e-7)
     view.is_perspective = False
     np.testing.assert_allclose(seams.facing(places, normals, view), [1.0, 0.0, 0.8], atol=1e-7)
+
+
+def test_what_is_not_laid_out_leaves_the_seams_of_before():
+    hull = laid_out()
+    before = shown(hull)
+    bpy.ops.hull.change_plate_list(action="ADD_RULE")
+    hull.hull.plates.rules[-1].kind, hull.hull.plates.rules[-1].value = "station", 1e3
+    with pytest.raises(RuntimeError):
+        bpy.ops.hull.lay_out_plates()
+    assert shown(hull) is before

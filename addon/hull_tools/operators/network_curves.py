@@ -198,7 +198,7 @@ class HULL_OT_smooth_network_curve(bpy.types.Operator, NetworkOperator):
     def run_on(self, network, context):
         own = selected_curves(network, context)
         deviation = 1e-3 * units.as_typed(self.deviation_mm)
-        told = [smoothing.smooth(obj, context.scene, deviation) for obj in own]
+        told = smoothing.smooth_all(own, context.scene, deviation)
         mean = units.format_mm(max(one.mean for one in told))
         most = units.format_mm(max(one.largest for one in told))
         text = f"M = {units.format_mm(deviation)}: moved by {mean} in the mean, {most} at most"

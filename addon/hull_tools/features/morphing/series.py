@@ -49,7 +49,8 @@ class Series:
 
     def member(self, step):
         """The ship.ShipSource of a member."""
-        control = replace(self.source.control, points=self.points(step))
+        own = self.source.control  # without layers that are no part of the shell
+        control = replace(own, points=self.points(step)[own.vertex_ids])
         return replace(self.source, control=control)
 
 

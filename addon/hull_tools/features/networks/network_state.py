@@ -26,13 +26,15 @@ _states = {}
 @dataclass(eq=False)
 class KnownCurve:
     """points (n, 3) and handles (n, 2, 3) in the world, Blender's units, as Blender has them;
-    matrix: the object's; key, native: see definitions; pieces: its shape in m. Arrays that stay are
-    the very same objects from one state to the next."""
+    matrix: the object's; address: by which it is known when it was renamed; key, native: see
+    definitions; pieces: its shape in m. Arrays that stay are the very same objects from one state
+    to the next."""
 
     points: np.ndarray
     weights: np.ndarray
     knuckles: tuple
     matrix: np.ndarray
+    address: int
     key: tuple = ()
     native: object = None
     pieces: list = field(default_factory=list)
@@ -104,6 +106,7 @@ def follow(network, scene, changed=None):
     if scale != state.scale:
         state.scale, state.curves, changed = scale, {}, None
     refusals, objects, fresh = _read(network, state, changed)
+    _take_renamed(state, objects)
     is_locked = bool(networks.locked(network)) if fresh else True
     if not is_locked:
         _carry_planes(state, objects, fresh)
@@ -150,6 +153,15 @@ def _read(network, state, changed):
             refusals.append(Problem(str(error), (name,)))
     state.read = read
     return refusals, objects, fresh
+
+
+def _take_renamed(state, objects):
+    """What was tied to a curve is tied to it by its new name, too."""
+    names = {one.address: name for name, one in state.curves.items() if name not in objects}
+    for name in objects.keys() - state.curves.keys():
+        before = names.get(objects[name].as_pointer())
+        if before is not None:
+            state.curves[name] = state.curves.pop(before)
 
 
 def _matrix(obj):
@@ -203,12 +215,16 @@ def _known(state, objects, fresh, moved):
     for name, obj in objects.items():
         before, read = state.curves.get(name), state.read[name]
         if name not in fresh and name not in moved:
-            known[name] = KnownCurve(before.points, before.weights, before.knuckles, before.matrix)
+            known[name] = KnownCurve(
+                before.points, before.weights, before.knuckles, before.matrix, before.address
+            )
             continue
         points = moved.get(name, read.points)
         if before is not None and np.array_equal(before.points, points):
             points = before.points
-        known[name] = KnownCurve(points, read.weights, read.knuckles, _matrix(obj))
+        known[name] = KnownCurve(
+            points, read.weights, read.knuckles, _matrix(obj), obj.as_pointer()
+        )
     return known
 
 

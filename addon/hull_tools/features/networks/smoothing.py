@@ -25,9 +25,35 @@ class Smoothed:
     after: float
 
 
+def smooth_all(objects, scene, deviation):
+    """Smooths curve objects one after the other: all of them, or none; see smooth()."""
+    for obj in objects:
+        _checked(obj, scene, deviation)
+    return [smooth(obj, scene, deviation) for obj in objects]
+
+
 def smooth(obj, scene, deviation):
     """Smooths a curve object of a network within a mean deviation in m, between its ends and
     knuckles, which stay; returns Smoothed. Points of other curves in the same places follow."""
+    network, state, known, runs = _checked(obj, scene, deviation)
+    weights, points = bezier_curves.read(obj).weights, known.points * state.scale
+    moved = points.copy()
+    for first, last in zip(runs, runs[1:]):
+        if last - first + 1 >= _LEAST_POINTS:
+            run = slice(first, last + 1)
+            moved[run] = _smoothed(points[run], weights[run], deviation)
+    plane = planes.plane_of(obj.hull.curve)
+    if plane is not None:
+        moved = planes.onto(moved, [(plane[0], plane[1] * state.scale)])
+    crossings.write_points(obj, moved / state.scale, known.knuckles)
+    network_state.follow(network, scene)
+    now = network_state.state_of(network).curves[obj.name].points * state.scale
+    return _report(points, now, deviation, runs)
+
+
+def _checked(obj, scene, deviation):
+    """(network, its NetworkState, the KnownCurve, numbers of its ends and knuckles) of a curve
+    object; ValueError where it cannot be smoothed."""
     network = networks.network_of(obj)
     if network is None or obj.type != "CURVE":
         raise ValueError("Select a curve of a network first")
@@ -42,35 +68,26 @@ def smooth(obj, scene, deviation):
     known = state.curves.get(obj.name)
     if known is None:
         raise ValueError(f'"{obj.name}" is no curve of the network as it is: see its problems')
-    weights = bezier_curves.read(obj).weights
-    points, runs = known.points * state.scale, [0, *known.knuckles, len(known.points) - 1]
+    runs = [0, *known.knuckles, len(known.points) - 1]
     if all(last - first + 1 < _LEAST_POINTS for first, last in zip(runs, runs[1:])):
         raise ValueError(
             f'"{obj.name}" has fewer than {_LEAST_POINTS} points between its ends and knuckles: '
             "there is nothing to smooth"
         )
-    moved = points.copy()
     for first, last in zip(runs, runs[1:]):
         if last - first + 1 >= _LEAST_POINTS:
-            run = slice(first, last + 1)
-            moved[run] = _smoothed(points[run], weights[run], deviation, obj)
-    plane = planes.plane_of(obj.hull.curve)
-    if plane is not None:
-        moved = planes.onto(moved, [(plane[0], plane[1] * state.scale)])
-    crossings.write_points(obj, moved / state.scale, known.knuckles)
-    network_state.follow(network, scene)
-    now = network_state.state_of(network).curves[obj.name].points * state.scale
-    return _report(points, now, deviation, runs)
+            t = _parameters(known.points[first : last + 1])
+            if not np.diff(t).min() > 0.0:
+                raise ValueError(f'"{obj.name}" has two points in one place: delete one of them')
+    return network, state, known, runs
 
 
 def _parameters(points):
     return np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(points, axis=0), axis=1))])
 
 
-def _smoothed(points, weights, deviation, obj):
+def _smoothed(points, weights, deviation):
     t = _parameters(points)
-    if not np.diff(t).min() > 0.0:
-        raise ValueError(f'"{obj.name}" has two points in one place: delete one of them')
     # The ends are met, as other curves may be tied to them.
     curve = native.require().smooth_curve(
         points, deviation, parameters=t, weights=weights,

@@ -149,10 +149,12 @@ def _flats(found, faces):
 
 
 def last_report(network):
-    """(the Report of the hull that was laid over a network last or None, whether the hull is still
-    as it was then)."""
+    """(the Report of the hull that was laid over a network last or None, as for one that was
+    deleted, whether the hull is still as it was then)."""
     hull = None if network is None else network.hull_network.hull
-    return (None, False) if hull is None else hull_state.last_report(hull, LaidOver)
+    if hull is None or not hull.users_scene:  # the network keeps what was deleted
+        return None, False
+    return hull_state.last_report(hull, LaidOver)
 
 
 def summary(report):

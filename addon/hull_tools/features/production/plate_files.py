@@ -191,8 +191,8 @@ class PlateTask(jobs.JobTask):
         try:
             kept.report = super().result()
         finally:
-            # What was laid out is so whatever became of the files.
-            kept.layout = self._layout
+            # What was laid out is so whatever became of the files; else that of before stays.
+            kept.layout = self._layout or kept.layout
         return kept.report
 
 
