@@ -80,21 +80,22 @@ void bind_hull_body(py::module_& module) {
            "computed again.")
       .def(
           "join",
-          [](analysis::HullBody& body, std::vector<analysis::Appendage> appendages) {
+          [](analysis::HullBody& body, std::vector<analysis::Appendage> appendages, bool warn) {
             {
               const py::gil_scoped_release release;
               body.join(std::move(appendages));
             }
+            if (!warn) return;
             // Warnings may run Python's code, so the GIL is held again.
             for (const std::string& name : body.joined()->idle_cuts()) warn_of_idle_cut(name);
           },
-          py::arg("appendages"),
+          py::arg("appendages"), py::kw_only(), py::arg("warn") = true,
           "From now on the body is (its own bodies and appendages that are added) without those "
           "that are cut out, each point of space counted once: in immersion(), hydrostatics(), "
           "levers, equilibrium. Section areas, extents, offsets and form numbers stay those of the "
           "hull. [] counts the hull's own bodies once where they overlap. ValueError where "
-          "surfaces lie in one another; a UserWarning names what is to be cut out and lies beside "
-          "the hull (idle_cuts).")
+          "surfaces lie in one another. warn: a UserWarning names what is to be cut out and lies "
+          "beside the hull (idle_cuts).")
       .def_property_readonly(
           "idle_cuts",
           [](const analysis::HullBody& b) {

@@ -68,7 +68,7 @@ def _with_appendages(body, hull, scale, points):
     try:
         joined = part("features.flotation.appendages").native_bodies(bodies, scale, points)
         if joined:
-            body.join(joined)
+            body.join(joined, warn=False)
     except ValueError:
         pass  # they are told, and the hull counts alone
     return body

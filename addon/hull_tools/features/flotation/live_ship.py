@@ -142,7 +142,7 @@ class LiveShip:
             body = source.live_body(surface)
             self.memory.clear()
             if source.appendages:
-                source = self._tried(source, lambda: body.join(list(source.appendages)))
+                source = self._tried(source, lambda: source.join_to(body))
         elif has_moved:
             source = self._tried(source, body.update)
         self.idle_cuts = tuple(body.idle_cuts)

@@ -82,8 +82,13 @@ class ShipSource:
         appendages cannot be joined to it."""
         body = self.bare_body(surface, **how)
         if self.appendages or self.once:
-            body.join(list(self.appendages))
+            self.join_to(body)
         return body
+
+    def join_to(self, body):
+        """Joins the appendages to a bare_body or live_body. What cuts nothing out of the hull is
+        told in the panel, by its name in the scene."""
+        body.join(list(self.appendages), warn=False)
 
     def bare_body(self, surface, **how):
         """The same without appendages, all of its own bodies added up."""
