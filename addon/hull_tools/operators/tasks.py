@@ -14,20 +14,28 @@ class TaskOperator(HullReader):
     """Subclasses begin a task of features.conversion.conversions, and tell what came of it:
     begin(hull, scene) → task, and outcome(result of the task, scene) → (text, whether it warns).
 
-    What is run by a script, or without a window, is done when the operator returns.
+    What is run by a script, or without a window, is done when the operator returns; so is what
+    Blender repeats, or does again with other settings.
     """
 
     bl_options = {"REGISTER"}
     _is_in_window = False
+    _goes_on = False
     _task = None
 
     def invoke(self, context, event):
         self._is_in_window = not bpy.app.background
         return self.execute(context)
 
+    def execute(self, context):
+        # Blender repeats an operator that it has listed, as the same instance. Were that modal once
+        # more, it would be listed twice, which ends Blender.
+        self._goes_on, self._is_in_window = self._is_in_window, False
+        return super().execute(context)
+
     def run_on(self, hull, context):
         self._task = self.begin(hull, context.scene)
-        if not self._is_in_window:
+        if not self._goes_on:
             return self._finish(context)
         manager = context.window_manager
         self._timer = manager.event_timer_add(_LOOK_SECONDS, window=context.window)
