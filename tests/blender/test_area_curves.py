@@ -228,3 +228,11 @@ def test_one_undo_step_in_edit_mode_too():
     assert np.abs(points_of(hull) - before).max() > 0.01
     bpy.ops.ed.undo()
     assert np.array_equal(points_of(bpy.context.view_layer.objects.active), before)
+
+
+def test_a_curve_that_is_not_taken_shows_no_plot():
+    hull = add_hull()
+    hull.hull.plots.sectional_areas = False
+    with pytest.raises(RuntimeError):
+        bpy.ops.hull.load_area_curve(filepath="/no/such/table.csv")
+    assert not hull.hull.plots.sectional_areas

@@ -211,3 +211,13 @@ def test_two_hulls_have_their_own():
         assert is_current
         gms.append(outcome.result.levers.gm)
     assert np.array(gms) == pytest.approx([0.5 + 16 / 12 - 1.2, 0.75 + 16 / 18 - 1.2])
+
+
+def test_a_timer_that_looks_goes_on_after_an_error(capsys):
+    """Else nothing would take what workers give; others end, and the next need starts them."""
+    timer = part("bridge.background.timers").Timer
+    looking, once = timer(0.1, lambda: 1 // 0, looks=True), timer(0.1, lambda: 1 // 0)
+    assert [looking._called(), looking._called()] == [0.1, 0.1]
+    assert capsys.readouterr().err.count("Traceback") == 1
+    with pytest.raises(ZeroDivisionError):
+        once._called()

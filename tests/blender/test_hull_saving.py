@@ -201,3 +201,14 @@ def test_a_mesh_that_no_file_can_hold_says_why(tmp_path):
     with pytest.raises(RuntimeError, match="a hull has 1 to"):
         write(tmp_path / "box.hull.json")
     assert not list(tmp_path.iterdir())
+
+
+def test_a_mesh_without_faces_has_none():
+    hull = add_hull()
+    bm = bmesh.new()
+    bm.from_mesh(hull.data)
+    bmesh.ops.delete(bm, geom=bm.faces[:], context="FACES_ONLY")
+    bm.to_mesh(hull.data)
+    bm.free()
+    ship = part("features.hull.hull_to_data").ship_data(hull, 1.0)
+    assert ship.faces == [] and ship.face_layers == []

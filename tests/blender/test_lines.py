@@ -352,3 +352,13 @@ def test_rims_of_flats():
     assert bpy.ops.hull.lines_as_curves() == {"FINISHED"}
     (curves,) = hull.hull.lines.curves.objects
     assert curves.name.endswith("flats") and len(curves.data.splines) >= 3
+
+
+def test_curves_are_made_where_they_are_seen():
+    """Their collection was unlinked from the scene, which the hull still points to."""
+    hull = lined_hull()
+    bpy.ops.hull.lines_as_curves()
+    collection = hull.hull.lines.curves
+    bpy.context.scene.collection.children.unlink(collection)
+    assert bpy.ops.hull.lines_as_curves() == {"FINISHED"}
+    assert all(one.name in bpy.context.scene.objects for one in collection.objects)

@@ -165,3 +165,9 @@ def test_what_is_left_out_of_the_shell_is_left_out_of_the_series(tmp_path):
     control = series.member(series.steps[1]).control
     assert control.points.shape == state.ship.source.control.points.shape
     assert np.allclose(control.points, state.ship.source.control.points, atol=1e-6)
+
+
+def test_a_series_goes_to_no_folder_that_is_not_named():
+    family()
+    with pytest.raises(RuntimeError, match="No folder is named"):
+        bpy.ops.hull.export_series()

@@ -222,3 +222,15 @@ def test_one_undo_step():
     bpy.ops.ed.redo()
     hull = bpy.data.objects["Barge"]
     assert hull.hull.is_hull and len(hull.hull.flats) == 4
+
+
+@pytest.mark.parametrize("away", ["exclude", "hide_viewport"])
+def test_what_is_made_where_the_active_collection_is_out_of_view_is_seen(away):
+    collection = bpy.data.collections.new("Away")
+    bpy.context.scene.collection.children.link(collection)
+    layer = bpy.context.view_layer.layer_collection.children["Away"]
+    bpy.context.view_layer.active_layer_collection = layer
+    setattr(layer, away, True)
+    assert bpy.ops.hull.add_hull() == {"FINISHED"}
+    hull = bpy.context.object
+    assert hull.select_get() and hull.visible_get() and hull.name not in collection.objects

@@ -140,3 +140,16 @@ def test_new_marks_are_told_from_those_of_the_form_before():
     assert bpy.ops.hull.subdivide_exactly() == {"FINISHED"}
     with pytest.raises(RuntimeError, match="mesh itself was changed"):
         bpy.ops.hull.count_marks(compare=True)
+
+
+def test_marks_of_a_hull_renamed_meanwhile_are_its_own():
+    hull = add_hull()
+    as_it_was = part("features.hull.as_it_was").AsItWas(hull, "count again")
+    hull.name = "Another name"
+    other = add_hull()
+    other.name = "Hull"
+    assert as_it_was.checked(bpy.context.scene) == hull
+    bpy.data.objects.remove(hull)
+    assert part("features.hull.hull_state").hull_with(as_it_was.state, bpy.context.scene) is None
+    with pytest.raises(ValueError, match="changed meanwhile"):
+        as_it_was.checked(bpy.context.scene)

@@ -7,7 +7,14 @@ from bpy.props import EnumProperty, FloatProperty, StringProperty
 from ..bridge.blender import units
 from ..bridge.objects import appendages, hull_objects
 from ..features.hull import appendage_kinds
-from .shared import BaseOperator, asked_length, in_object_mode, make_active, native_is_there
+from .shared import (
+    BaseOperator,
+    asked_length,
+    collection_for_new,
+    in_object_mode,
+    make_active,
+    native_is_there,
+)
 
 
 def _has_hull(cls, context):
@@ -81,7 +88,9 @@ class HULL_OT_add_appendage(bpy.types.Operator, BaseOperator):
                 setattr(self, name, value)
         values = {name: getattr(self, name) for name in appendage_kinds.NUMBERS}
         scale = units.metres_per_unit(context.scene)
-        made = appendage_kinds.add(self.kind, hull, values, self.section, scale, context.collection)
+        made = appendage_kinds.add(
+            self.kind, hull, values, self.section, scale, collection_for_new(context)
+        )
         make_active(context, made[0])
         self.tell("INFO", ", ".join(obj.name for obj in made))
 

@@ -14,6 +14,7 @@ from .shared import (
     BaseOperator,
     asked_length,
     asked_number,
+    collection_for_new,
     in_object_mode,
     make_active,
     native_is_there,
@@ -142,7 +143,7 @@ class HULL_OT_add_hull(bpy.types.Operator, BaseOperator):
     def _of_own_mesh(self, context):
         lengths = self._lengths(context.scene)
         hull = new_hulls.new_hull(self.kind, *lengths, self.sections, self.points)
-        return hull_creation.hull_object(hull, context.scene, context.collection), ""
+        return hull_creation.hull_object(hull, context.scene, collection_for_new(context)), ""
 
     def _after_ship(self, context):
         scene = context.scene
@@ -151,7 +152,7 @@ class HULL_OT_add_hull(bpy.types.Operator, BaseOperator):
         asked = [getattr(self, f"use_{name}") for name in _FORM]
         form = made_after.Form(*(value if use else None for value, use in zip(values, asked)))
         lengths = self._lengths(scene)
-        obj, found = made_after.add(self.kind, lengths, form, scene, context.collection)
+        obj, found = made_after.add(self.kind, lengths, form, scene, collection_for_new(context))
         return obj, f"; {reports.form_parameters(found, scene)}"
 
     def draw(self, context):

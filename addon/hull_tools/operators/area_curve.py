@@ -52,8 +52,8 @@ class HULL_OT_take_area_curve(bpy.types.Operator, HullOperator):
     handles: _handles()
 
     def run_on(self, hull, context):
-        hull.hull.plots.sectional_areas = True
         curve = sources.take_present(hull, context.scene, self.handles)
+        hull.hull.plots.sectional_areas = True
         _told(self, curve, context.scene)
 
 
@@ -95,11 +95,11 @@ class HULL_OT_take_other_area_curve(bpy.types.Operator, HullOperator):
             layout.prop(self, name)
 
     def run_on(self, hull, context):
-        hull.hull.plots.sectional_areas = True
         other = hull_objects.hull_of(context.scene.objects.get(self.other))
         curve = sources.take_from_hull(
             hull, context.scene, other, self.handles, self.to_length, self.areas_as
         )
+        hull.hull.plots.sectional_areas = True
         _told(self, curve, context.scene)
 
 
@@ -114,8 +114,8 @@ class HULL_OT_load_area_curve(bpy.types.Operator, HullOperator, ImportHelper):
     handles: _handles()
 
     def run_on(self, hull, context):
-        hull.hull.plots.sectional_areas = True
         curve = sources.take_from_table(hull, context.scene, self.filepath, self.handles)
+        hull.hull.plots.sectional_areas = True
         _told(self, curve, context.scene)
 
 

@@ -70,11 +70,13 @@ class HULL_OT_count_marks(bpy.types.Operator, TaskOperator):
     )
 
     def begin(self, hull, scene):
-        self._hull = hull.name
         return seen_marks.Judging(hull, scene, self.compare)
 
     def outcome(self, result, scene):
-        return seen_marks.summary(self._task.note(scene.objects[self._hull], scene)), False
+        hull = hull_state.hull_with(self._task.state, scene)
+        if hull is None:
+            raise ValueError("The hull is not in this scene any longer: its marks are not noted")
+        return seen_marks.summary(self._task.note(hull, scene)), False
 
 
 class HULL_OT_show_mark(bpy.types.Operator, HullReader):

@@ -13,7 +13,7 @@ from ..bridge.counts import counted
 from ..bridge.objects import hull_objects
 from ..features.fitting import fitting
 from ..properties.shared import metric_field
-from .shared import HullOperator, HullReader, can_change, property_column
+from .shared import HullOperator, HullReader, can_change, collection_for_new, property_column
 from .tasks import TaskOperator
 
 
@@ -68,7 +68,7 @@ class HULL_OT_load_stl(bpy.types.Operator, HullOperator, ImportHelper):
         path = Path(self.filepath)
         points, triangles = hull_io.read_stl(path)
         points *= units.as_typed(self.metres) / units.metres_per_unit(context.scene)
-        shape = fitting.shape_object(path.stem, points, triangles, context.collection)
+        shape = fitting.shape_object(path.stem, points, triangles, collection_for_new(context))
         shape.location = hull.matrix_world.translation
         hull_objects.hull_of(context.object).hull.fit.target = shape
         self.tell("INFO", f"{shape.name}: {counted(len(triangles), 'triangle')} read")

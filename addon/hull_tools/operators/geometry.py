@@ -15,6 +15,7 @@ from ..properties.shared import field_or
 from .shared import (
     HullReader,
     asked_length,
+    collection_for_new,
     in_object_mode,
     make_active,
     native_is_there,
@@ -111,7 +112,7 @@ class FromGeometry(TaskOperator):
         return making.Making(source, asked)
 
     def outcome(self, made, scene):
-        self._made, report = self._task.write(scene, bpy.context.collection)
+        self._made, report = self._task.write(scene, collection_for_new(bpy.context))
         return making.summary(report)
 
     def _finish(self, context):

@@ -9,13 +9,20 @@ from ... import hull_io
 from ..bridge.counts import counted
 from ..features.exchange import hull_files
 from ..features.hull import hull_state, samples
-from .shared import BaseOperator, in_object_mode, make_active, native_is_there, show_all
+from .shared import (
+    BaseOperator,
+    collection_for_new,
+    in_object_mode,
+    make_active,
+    native_is_there,
+    show_all,
+)
 
 
 def _import(operator, context, path):
     """Reads a file completely, and mends it, before anything is made of it."""
     hull = hull_io.read_mended(path)
-    obj = hull_files.hull_object(hull, context.scene, context.collection)
+    obj = hull_files.hull_object(hull, context.scene, collection_for_new(context))
     make_active(context, obj)
     show_all(context)
     state = hull_state.state_of(obj)

@@ -101,6 +101,8 @@ class HULL_OT_export_series(bpy.types.Operator, SeriesOperator, TaskOperator):
         chosen = self.file_format
         if chosen == "PANEL":
             chosen = hull.hull.morph.series_format
+        if not self.directory:
+            raise ValueError("No folder is named: choose the one that the files go to")
         folder = bpy.path.abspath(self.directory)
         return series_files.SeriesFiles(hull, scene, folder, chosen, **self.asked())
 

@@ -7,7 +7,14 @@ from bpy.props import IntProperty
 from ..bridge.objects import networks
 from ..features.networks import to_hull
 from .networks import NetworkTask, has_network
-from .shared import BaseOperator, in_object_mode, make_active, native_is_there, suit_views
+from .shared import (
+    BaseOperator,
+    collection_for_new,
+    in_object_mode,
+    make_active,
+    native_is_there,
+    suit_views,
+)
 
 
 class HULL_OT_network_to_hull(bpy.types.Operator, NetworkTask):
@@ -24,7 +31,7 @@ class HULL_OT_network_to_hull(bpy.types.Operator, NetworkTask):
         return to_hull.Laying(network, scene)
 
     def outcome(self, laid, scene):
-        self._made, report = self._task.write(scene, bpy.context.collection)
+        self._made, report = self._task.write(scene, collection_for_new(bpy.context))
         return to_hull.summary(report), not report.is_within
 
     def _finish(self, context):

@@ -91,6 +91,15 @@ def property_column(operator):
     return layout.column()
 
 
+def collection_for_new(context):
+    """Where new objects go: the active collection; that of the scene where the active one is of
+    another file, hidden or not in the view layer, so that what is made can be seen and selected."""
+    layer = context.view_layer.active_layer_collection
+    if layer.collection.library is None and layer.is_visible:
+        return layer.collection
+    return context.scene.collection
+
+
 def make_active(context, obj):
     """Selects exactly this object and makes it the active one."""
     for selected in context.selected_objects:

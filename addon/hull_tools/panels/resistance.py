@@ -151,13 +151,14 @@ class HULL_PT_resistance_inputs(HullPanel, bpy.types.Panel):
         if own.method == "MICHELL":
             text = "Waves are those of the exact surface, friction goes by these:"
             label_wrapped(layout, context, text, icon="INFO")
-        outcome = live_analyses.latest(hull, context.scene, "resistance_curves")[0]
+        outcome, is_current = live_analyses.latest(hull, context.scene, "resistance_curves")
         result = outcome.result if outcome else None
         measured = result.measured if result and result.given.method == own.method else {}
         column = layout.column(align=True)
         _draw_columns(column, "", "Given", "Hull")
         for place, name, unit in rows:
-            _draw_input(column, context, own, place, name, measured.get(name), unit)
+            value = measured.get(name)
+            _draw_input(column, context, own, place, name, value, unit, is_current)
         label_wrapped(layout, context, "0: what the hull has")
         zeros = [name for _, name, _ in rows if name in ship_data.ZERO_INPUTS]
         if zeros:
@@ -179,13 +180,13 @@ def _draw_columns(column, name, given, hull):
     return places
 
 
-def _draw_input(column, context, own, place, input_name, value, unit):
+def _draw_input(column, context, own, place, input_name, value, unit, is_current):
     group, _, name = place.rpartition(".")
     settings = getattr(own, group) if group else own
     field, right = _draw_columns(column, settings.bl_rna.properties[name].name, "", "")
     field.prop(settings, name, text="")
     given = getattr(settings, name)
-    right.active = not (given or input_name in own.zeros)
+    right.active = is_current and not (given or input_name in own.zeros)
     right.label(text=_measured(context.scene, value, unit))
     if unit != "m" and imperial(unit) and is_imperial(context.scene):
         _draw_imperial(column.column(align=True), context, given, value, unit)
@@ -243,7 +244,7 @@ class HULL_PT_resistance_remarks(HullPanel, bpy.types.Panel):
 
     def draw(self, context):
         hull = hull_objects.hull_of(context.object)
-        outcome = live_analyses.latest(hull, context.scene, "resistance_curves")[0]
+        outcome, self.layout.active = live_analyses.latest(hull, context.scene, "resistance_curves")
         result = outcome.result if outcome else None
         remarks = tuple(result.remarks()) if result else ()
         for remark in remarks:

@@ -210,7 +210,7 @@ def _look():
 
 
 _plots = Plots()
-_looks = timers.Timer(_LOOK_SECONDS, _look)
+_looks = timers.Timer(_LOOK_SECONDS, _look, looks=True)
 
 
 def start():

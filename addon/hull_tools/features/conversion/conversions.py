@@ -214,7 +214,7 @@ def _begin_requested():
                 begin(obj, bpy.context.scene)
 
 
-_looks = timers.Timer(_LOOK_SECONDS, _look)
+_looks = timers.Timer(_LOOK_SECONDS, _look, looks=True)
 _pause = timers.Timer(_PAUSE_SECONDS, _begin_requested)
 
 

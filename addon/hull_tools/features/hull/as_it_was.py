@@ -12,16 +12,12 @@ class AsItWas:
 
     def __init__(self, obj, again):
         self.state = hull_state.state_of(obj)
-        self._name, self._key, self._again = obj.name, _key_of(obj), again
+        self._key, self._again = _key_of(obj), again
 
     def checked(self, scene):
         """The hull; ValueError where it is not there any more, or its mesh is another."""
-        obj = scene.objects.get(self._name)
-        if (
-            not hull_objects.is_hull(obj)
-            or hull_state.state_of(obj) is not self.state
-            or _key_of(obj) != self._key
-        ):
+        obj = hull_state.hull_with(self.state, scene)
+        if not hull_objects.is_hull(obj) or _key_of(obj) != self._key:
             raise ValueError(f"The hull was changed meanwhile, and stays as it is: {self._again}")
         return obj
 

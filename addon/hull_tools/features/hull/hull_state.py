@@ -69,6 +69,11 @@ def state_of(obj):
     return _states.get(obj.as_pointer())
 
 
+def hull_with(state, scene):
+    """The hull of a scene with a HullState, whatever its name is by now, or None."""
+    return next((obj for obj in scene.objects if state_of(obj) is state), None)
+
+
 def is_outdated(obj):
     """Whether what is known of a hull is of its mesh as it was, which has errors by now."""
     state = state_of(obj)

@@ -38,8 +38,9 @@ def ship_data(obj, scale):
     Blender's unit."""
     settings = obj.hull
     data = mesh_arrays.read_mesh(obj.data)
+    ends = np.cumsum(data.face_sizes)
     faces = [
-        face.tolist() for face in np.split(data.face_vertices, np.cumsum(data.face_sizes)[:-1])
+        data.face_vertices[end - size : end].tolist() for size, end in zip(data.face_sizes, ends)
     ]
     of_faces = mesh_arrays.edges_of_faces(data)
     layers = _layers(obj, scale)

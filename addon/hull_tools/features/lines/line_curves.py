@@ -86,12 +86,18 @@ def _emptied_collection(obj):
         collection = bpy.data.collections.new(f"{obj.name} lines")
         obj.users_collection[0].children.link(collection)
         obj.hull.lines.curves = collection
+    elif not _is_in_a_scene(collection):
+        obj.users_collection[0].children.link(collection)
     for old in [one for one in collection.objects if one.parent == obj and one.type == "CURVE"]:
         curve = old.data
         bpy.data.objects.remove(old)
         if not curve.users:
             bpy.data.curves.remove(curve)
     return collection
+
+
+def _is_in_a_scene(collection):
+    return any(collection in scene.collection.children_recursive for scene in bpy.data.scenes)
 
 
 def _belongs_to_another(collection, obj):

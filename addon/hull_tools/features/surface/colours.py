@@ -106,7 +106,7 @@ def remove_colours(shown):
         shown.data.color_attributes.remove(attribute)
     for slot in shown.material_slots:
         own = slot.material if slot.link == "OBJECT" else None
-        if own is not None and own.name == ATTRIBUTE:
+        if own is not None and materials.has_attribute(own, ATTRIBUTE):
             slot.link = "DATA"
 
 

@@ -34,7 +34,7 @@ def line_material(kind):
 
 def attribute_material(attribute):
     """A material that has the colours of a mesh's attribute, and its name."""
-    material = bpy.data.materials.get(attribute)
+    material = bpy.data.materials.get((attribute, None))  # none of another file
     if material is None:
         material = bpy.data.materials.new(attribute)
         shader = _paint(material, (0.8, 0.8, 0.8), roughness=0.7)
@@ -44,6 +44,13 @@ def attribute_material(attribute):
         base = blender_versions.shader_input(shader, "Base Color")
         material.node_tree.links.new(node.outputs["Color"], base)
     return material
+
+
+def has_attribute(material, attribute):
+    """Whether a material has the colours of this attribute, as one has that came from another file
+    by another name."""
+    nodes = material.node_tree.nodes if material.node_tree is not None else ()
+    return any(node.type == "ATTRIBUTE" and node.attribute_name == attribute for node in nodes)
 
 
 def layer_material(name, colour):
