@@ -6,7 +6,8 @@ import warnings
 
 import bpy
 import pytest
-from addon_under_test import add_hull, make_active, part, sample
+from addon_under_test import add_hull, hull_io, make_active, part, sample
+from mathutils import Quaternion
 
 RADIUS = 0.4
 
@@ -338,3 +339,22 @@ def test_a_tunnel_beside_the_hull_is_told_of(box):
     bpy.data.objects.remove(tunnel)
     assert volume(box) > 100.01 and keel.hull.appendage.counts
     assert not any("cuts nothing" in remark for remark in remarks())
+
+
+@pytest.mark.parametrize("mode", ["XYZ", "ZYX", "QUATERNION", "AXIS_ANGLE"])
+def test_a_body_is_turned_as_before_when_its_hull_is_scaled(box, mode):
+    rudder = add(box, "RUDDER", x=1.0)
+    rudder.rotation_mode = mode
+    if mode in ("XYZ", "ZYX"):
+        rudder.rotation_euler = (0.3, 0.2, 0.1)
+    elif mode == "AXIS_ANGLE":
+        rudder.rotation_axis_angle = (0.4, 0.6, 0.0, 0.8)
+    else:
+        rudder.rotation_quaternion = Quaternion((0.6, 0.0, 0.8), 0.4)
+    bpy.context.view_layer.update()
+    before = rudder.matrix_basis.to_quaternion()
+    make_active(box)
+    scale = hull_io().scaling.Scale((2.0, 2.0, 2.0))
+    part("features.hull.appendage_data").follow(box, scale)
+    bpy.context.view_layer.update()
+    assert rudder.matrix_basis.to_quaternion().rotation_difference(before).angle < 1e-6

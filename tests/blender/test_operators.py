@@ -298,3 +298,16 @@ def test_a_copy_of_a_hull_gets_objects_of_its_own():
     assert bpy.ops.hull.update() == {"FINISHED"}
     assert copy.hull.surface_object.parent == copy
     assert hull.hull.surface_object.parent == hull
+
+
+@pytest.mark.parametrize("call", ["make_studio", "lines_as_curves"])
+def test_a_hull_that_is_not_in_the_view_layer_is_told_of(call):
+    """Its surface is at hand."""
+    hull = add_hull()
+    hull_state = part("features.hull.hull_state")
+    hull_state.refresh(hull, bpy.context.scene)
+    make_active(part("bridge.objects.shown_objects").surface_of(hull))
+    for collection in hull.users_collection:
+        collection.objects.unlink(hull)
+    with pytest.raises(RuntimeError, match="is not in this view layer: tick the box"):
+        getattr(bpy.ops.hull, call)()

@@ -2,10 +2,12 @@
 """Tied points of all kinds survive copies, hull files, .blend files, undo and redo, and hold as
 exactly as before each time."""
 
+import dataclasses
+
 import bpy
 import numpy as np
 import pytest
-from addon_under_test import make_active
+from addon_under_test import make_active, part
 from edited_hulls import at, edit, grid_hull
 from test_centre_keeping import points
 from test_tie_keeping import select_points, stored
@@ -120,3 +122,14 @@ def test_named_groups_of_points_come_back(tmp_path):
     bpy.ops.object.vertex_group_select()
     bpy.ops.object.mode_set(mode="OBJECT")
     assert [v.index for v in again.data.vertices if v.select] == sorted(wanted["sheer"])
+
+
+def test_what_is_tied_exactly_has_another_digest():
+    """The surface is of more digits than Blender keeps of a point, which stays as it is."""
+    hull = grid_hull()
+    mesh_arrays = part("bridge.mesh.mesh_arrays")
+    last = len(points(hull)) - 1
+    tie(hull, "LINE", [last // 2], 0, last, share=1.0)
+    tied = mesh_arrays.read_mesh(hull.data)
+    assert not np.array_equal(tied.exact_points(), tied.points)
+    assert tied.points_digest() != dataclasses.replace(tied, ties=None).points_digest()

@@ -9,7 +9,7 @@ from ..bridge.counts import counted
 from ..bridge.objects import hull_objects
 from ..features.hull import hull_state
 from ..features.lines import cut_planes, line_curves
-from .shared import HullOperator, in_object_mode
+from .shared import HullOperator, in_object_mode, set_active
 
 
 class HULL_OT_add_plane(bpy.types.Operator, HullOperator):
@@ -75,7 +75,7 @@ class HULL_OT_lines_as_curves(bpy.types.Operator, HullOperator):
         if reason:
             raise ValueError(reason)
         # One of the curves that go may be what is active.
-        context.view_layer.objects.active = hull
+        set_active(context, hull)
         scale = units.metres_per_unit(context.scene)
         count = line_curves.make_curves(
             hull, state.ship.surface, state.lines.groups.values(), scale, self.form == "BEZIER"

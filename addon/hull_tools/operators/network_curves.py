@@ -192,7 +192,8 @@ class HULL_OT_smooth_network_curve(bpy.types.Operator, NetworkOperator):
         metric_field(property_column(self), self, "deviation_mm", "mm")
 
     def invoke(self, context, event):
-        self.deviation_mm = networks.at_hand(context).hull_network.deviation_mm
+        if not self.properties.is_property_set("deviation_mm"):
+            self.deviation_mm = networks.at_hand(context).hull_network.deviation_mm
         return self.execute(context)
 
     def run_on(self, network, context):

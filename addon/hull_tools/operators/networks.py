@@ -41,13 +41,18 @@ class NetworkTask(TaskOperator):
 
 
 def can_change_network(cls, context):
-    network = networks.at_hand(context)
-    reason = networks.locked(network)
-    if not reason and networks.is_left_out(network, context.view_layer):
-        reason = f'The view layer leaves "{network.name}" out: tick its box in the outliner'
+    reason = _why_not_changed(networks.at_hand(context), context.view_layer)
     if reason:
         cls.poll_message_set(reason)
     return not reason
+
+
+def _why_not_changed(network, view_layer):
+    """Why a network can't be changed from here, or nothing."""
+    reason = networks.locked(network)
+    if not reason and networks.is_left_out(network, view_layer):
+        reason = f'The view layer leaves "{network.name}" out: tick its box in the outliner'
+    return reason
 
 
 class NetworkOperator(BaseOperator):
@@ -158,8 +163,9 @@ class HULL_OT_curves_to_network(bpy.types.Operator, BaseOperator):
         if self.target and not networks.is_network(given):
             raise ValueError(f'There is no network "{self.target}"')
         network = given or networks.at_hand(context)
-        if network is not None and networks.locked(network):
-            raise ValueError(networks.locked(network))
+        reason = _why_not_changed(network, context.view_layer) if network is not None else ""
+        if reason:
+            raise ValueError(reason)
         if not any(obj.type == "CURVE" for obj in context.selected_objects):
             raise ValueError("Select curve objects first")
         network = network or making.new(context.scene, "Network")

@@ -131,7 +131,7 @@ class HULL_OT_pull_surface(bpy.types.Operator, ViewDrag, HullOperator):
             self._show(context, grip, None if grip is None else grip.point)
             return {"RUNNING_MODAL"}
         if event.type != "LEFTMOUSE" or event.value != "PRESS":
-            return {"PASS_THROUGH"}
+            return self._rest(event)
         grip = self._under_mouse(event)
         if grip is None:
             return {"RUNNING_MODAL"}

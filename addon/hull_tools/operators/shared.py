@@ -100,12 +100,23 @@ def collection_for_new(context):
     return context.scene.collection
 
 
+def set_active(context, obj):
+    """Makes an object the active one. ValueError where it is not in the view layer."""
+    try:
+        context.view_layer.objects.active = obj
+    except RuntimeError as error:
+        raise ValueError(
+            f'"{obj.name}" is not in this view layer: tick the box of its collection in the '
+            "outliner"
+        ) from error
+
+
 def make_active(context, obj):
-    """Selects exactly this object and makes it the active one."""
+    """Selects exactly this object and makes it the active one; ValueError as set_active()."""
+    set_active(context, obj)
     for selected in context.selected_objects:
         selected.select_set(False)
     obj.select_set(True)
-    context.view_layer.objects.active = obj
 
 
 def show_all(context):
@@ -150,8 +161,8 @@ def enter_edit_mode(context, hull):
         bpy.ops.object.mode_set(mode="EDIT")
     except RuntimeError as error:
         raise ValueError(
-            f'"{hull.name}" cannot be edited here: Blender holds its mesh for being edited already; '
-            "save the file and open it again"
+            f'"{hull.name}" cannot be edited here: Blender holds its mesh for being edited '
+            "already; save the file and open it again"
         ) from error
 
 

@@ -59,8 +59,10 @@ class MeshData:
         )
 
     def points_digest(self):
-        """Equal for equal points."""
-        return _digest(self.points)
+        """Equal for equal points, of which those that are tied are more exact than the mesh's."""
+        if self.ties is None:
+            return _digest(self.points)
+        return _digest(self.points, self.exact_points())
 
 
 # Of the size: how far a point that Blender keeps may be from where it is tied.

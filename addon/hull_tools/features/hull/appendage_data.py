@@ -76,7 +76,19 @@ def follow(hull, scale):
             setattr(obj.hull.appendage, name, value)
         obj.scale = (1.0, 1.0, 1.0)
         obj.matrix_parent_inverse.identity()
-        obj.location, obj.rotation_euler = place.translation, place.to_euler()
+        obj.location = place.translation
+        _turn(obj, place)
+
+
+def _turn(obj, place):
+    """Gives an object the rotation of a matrix, in the way that its own is told."""
+    if obj.rotation_mode == "QUATERNION":
+        obj.rotation_quaternion = place.to_quaternion()
+    elif obj.rotation_mode == "AXIS_ANGLE":
+        axis, angle = place.to_quaternion().to_axis_angle()
+        obj.rotation_axis_angle = (angle, *axis)
+    else:
+        obj.rotation_euler = place.to_euler(obj.rotation_mode)
 
 
 def _settings(appendage, scale):

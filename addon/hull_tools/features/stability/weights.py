@@ -77,7 +77,7 @@ def _plates(settings, metres_per_unit):
         slots = tuple(
             index
             for index, slot in enumerate(settings.id_data.material_slots)
-            if slot.material == layer.material
+            if slot.material == layer.material and slot.material and index not in taken
         )
         if not slots:
             continue
