@@ -372,3 +372,19 @@ def test_set_up_and_removal_are_one_step_of_undo_each():
     assert blocks() == with_studio and collection() is not None
     bpy.ops.hull.remove_studio()
     assert blocks() == before
+
+
+def test_a_turntable_without_its_empty_is_refused():
+    set_up(add_hull())
+    bpy.data.objects.remove(next(obj for obj in collection().objects if obj.type == "EMPTY"))
+    with pytest.raises(RuntimeError, match="set up the studio anew"):
+        bpy.ops.hull.studio_turntable()
+
+
+def test_settings_of_another_blender_do_not_keep_the_studio():
+    before = scene().render.resolution_x
+    set_up(add_hull())
+    kept = json.loads(collection()["settings"])
+    collection()["settings"] = json.dumps({**kept, "render.engine": "ANOTHER_BLENDERS"})
+    assert bpy.ops.hull.remove_studio() == {"FINISHED"}
+    assert collection() is None and scene().render.resolution_x == before

@@ -62,3 +62,15 @@ def test_lines_of_samples_lie_on_the_surface(name):
     for curve in curves:
         assert_on_the_surface(hull, curve)
         assert_on_what_is_shown(faces, curve)
+
+
+def test_there_are_only_so_many_waterlines():
+    """Of a draft that is next to nothing, as while it is typed, and of a hull without height."""
+    found = part("features.studio.lines_on_hull")._even_waterlines
+    cut = part("features.lines.lines").Cut
+    box = np.array([(0.0, 0.0, 0.0), (20.0, 4.0, 10.0)])
+    usual = found((cut((0.0, 0.0, 1.0, 5.0)),), box)
+    assert 5 < len(usual) < 40
+    assert found((cut((0.0, 0.0, 1.0, 1e-3)),), box) == found((), box)
+    assert found((), box * (1.0, 1.0, 0.0)) == ()
+    assert part("features.studio.lines_on_hull")._even_stations(box * (0.0, 1.0, 1.0)) == ()

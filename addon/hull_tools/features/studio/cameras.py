@@ -108,7 +108,9 @@ def _swept(here):
 
 def turn(here, frames):
     """Has the turntable's camera go round the hull once in so many frames, from frame 1, evenly."""
-    pivot = camera_of(here.collection, VIEWS[TURNTABLE]).parent
+    pivot = here.find(_PIVOT)
+    if pivot is None or camera_of(here.collection, VIEWS[TURNTABLE]).parent is not pivot:
+        raise ValueError("The turntable is not as it was set up: set up the studio anew")
     pivot.animation_data_clear()
     pivot.rotation_mode = "XYZ"
     for frame_number, angle in ((1, 0.0), (frames + 1, tau)):

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Sections and waterlines drawn on the hull as thin tubes."""
 
+from ...bridge import limits
 from ..lines import line_curves, lines
 from . import paint, place
 
@@ -45,13 +46,19 @@ def waterlines(hull, state, metres_per_unit):
 def _even_stations(points):
     low, high = points[:, 0].min(), points[:, 0].max()
     step = (high - low) / _STATIONS
+    if not step > 0.0:
+        return ()
     return tuple(lines.Cut((1.0, 0.0, 0.0, low + i * step)) for i in range(1, _STATIONS))
 
 
 def _even_waterlines(draft_cuts, points):
     low, high = points[:, 2].min(), points[:, 2].max()
     top = draft_cuts[0].plane[3] if draft_cuts and draft_cuts[0].plane[3] > low else high
+    if (high - low) * _WATERLINES_TO_DRAFT > limits.MOST_LINES * (top - low):
+        top = high  # of a draft that is next to nothing, as while it is typed
     step = (top - low) / _WATERLINES_TO_DRAFT
+    if not step > 0.0:
+        return ()
     count = int((high - low) / step)
     heights = [low + i * step for i in range(1, count + 1)]
     return tuple(lines.Cut((0.0, 0.0, 1.0, z)) for z in heights if abs(z - top) > 1e-3 * step)

@@ -55,10 +55,15 @@ def give_back(collection, scene):
 
 
 def write(scene, path, value):
-    """Sets one of a scene's settings, if this Blender has it."""
+    """Sets one of a scene's settings, if this Blender has it, and has that value of it: other
+    versions have other engines and views."""
     owner = _owner(scene, path)
-    if owner is not None:
+    if owner is None:
+        return
+    try:
         setattr(owner, path.rpartition(".")[2], value)
+    except TypeError:
+        pass
 
 
 def _read(scene, path):
