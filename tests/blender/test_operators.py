@@ -232,8 +232,13 @@ def test_a_hull_whose_mesh_another_object_left_in_edit_mode_is_not_edited():
     other = bpy.context.object
     hull.data, other.data = other.data, hull.data
     make_active(hull)
-    with pytest.raises(RuntimeError, match="cannot be edited here: .*open it again"):
-        bpy.ops.hull.select_creases()
+    try:
+        bpy.ops.object.mode_set(mode="EDIT")
+    except RuntimeError:
+        with pytest.raises(RuntimeError, match="cannot be edited here: .*open it again"):
+            bpy.ops.hull.select_creases()
+    else:
+        pytest.skip("this Blender edits such a mesh")
 
 
 def test_a_fractional_crease_is_a_warning():
