@@ -40,8 +40,7 @@ void bind_move_watch(py::module_& module) {
       .def("comes_near", &comes_near, py::arg("planes"), py::kw_only(), py::arg("margin"),
            "planes: (n, 4), as for sections(). Returns (n,): whether a cell that has moved comes, "
            "or came, nearer to the plane than margin, m. True of all planes where the size of the "
-           "mesh "
-           "has changed, of which the rounding of a section is a part.")
+           "mesh has changed, of which the rounding of a section is a part.")
       .def_property_readonly(
           "cells", [](const analysis::MoveWatch& watch) { return to_array(watch.cells()); },
           "(k,) the cells that have moved, in order.");

@@ -84,9 +84,8 @@ def _emptied_collection(obj):
     collection = obj.hull.lines.curves
     if collection is None or _belongs_to_another(collection, obj):
         collection = bpy.data.collections.new(f"{obj.name} lines")
-        obj.users_collection[0].children.link(collection)
         obj.hull.lines.curves = collection
-    elif not _is_in_a_scene(collection):
+    if not _is_in_a_scene(collection):
         obj.users_collection[0].children.link(collection)
     for old in [one for one in collection.objects if one.parent == obj and one.type == "CURVE"]:
         curve = old.data
