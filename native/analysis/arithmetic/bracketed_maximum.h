@@ -9,17 +9,22 @@ struct Maximum {
   double place, value;
 };
 
-// A local maximum of f within [a, b], to `width` of its place, by parabolas through three places
-// and, where these don't help, golden sections (Brent 1973, chapter 5). Of a function with one
-// maximum it is that; it may be an end, but for `width`. REQUIRES: a < b, width > 0.
+inline constexpr double kGolden = 0.3819660112501051;
+
+// What Brent's search knows of a function: the best place so far, the second best and the one
+// before that.
+struct BestPlaces {
+  double x, fx, w, fw, v, fv;
+};
+
+// Brent's search within [a, b] from `known` places on, one of which may be an end. `reach`: the
+// longest step that a first parabola may lead to is half of it.
 template <class Function>
-Maximum bracketed_maximum(const Function& f, double a, double b, double width) {
-  constexpr double kGolden = 0.3819660112501051;
+Maximum maximum_from(const Function& f, double a, double b, double width, BestPlaces known,
+                     double reach) {
   constexpr int kMostSteps = 100;
-  // The best place so far, the second best and the one before that.
-  double x = a + kGolden * (b - a), w = x, v = x;
-  double fx = f(x), fw = fx, fv = fx;
-  double step = 0.0, before_last = 0.0;
+  auto [x, fx, w, fw, v, fv] = known;
+  double step = reach, before_last = reach;
   for (int i = 0; i < kMostSteps; ++i) {
     const double middle = 0.5 * (a + b);
     if (std::abs(x - middle) <= width - 0.5 * (b - a)) break;
@@ -59,6 +64,24 @@ Maximum bracketed_maximum(const Function& f, double a, double b, double width) {
     }
   }
   return {x, fx};
+}
+
+// A local maximum of f within [a, b], to `width` of its place, by parabolas through three places
+// and, where these don't help, golden sections (Brent 1973, chapter 5). Of a function with one
+// maximum it is that; it may be an end, but for `width`. REQUIRES: a < b, width > 0.
+template <class Function>
+Maximum bracketed_maximum(const Function& f, double a, double b, double width) {
+  const double x = a + kGolden * (b - a), fx = f(x);
+  return maximum_from(f, a, b, width, {x, fx, x, fx, x, fx}, 0.0);
+}
+
+// The same from the values at both ends and at a place between them that is as high as either.
+template <class Function>
+Maximum bracketed_maximum(const Function& f, const Maximum& a, const Maximum& x, const Maximum& b,
+                          double width) {
+  const Maximum &w = a.value > b.value ? a : b, &v = a.value > b.value ? b : a;
+  return maximum_from(f, a.place, b.place, width,
+                      {x.place, x.value, w.place, w.value, v.place, v.value}, b.place - a.place);
 }
 
 }  // namespace hull::analysis

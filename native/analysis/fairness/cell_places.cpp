@@ -68,4 +68,8 @@ CellPlaces cell_places(const mesh::Topology& cells, int cell, const Eigen::Vecto
   return places;
 }
 
+bool is_inside_cell(const Eigen::Vector2d& uv) {
+  return uv.minCoeff() > kOnSide && uv.maxCoeff() < 1.0 - kOnSide;
+}
+
 }  // namespace hull::analysis

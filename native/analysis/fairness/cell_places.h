@@ -15,4 +15,7 @@ using CellPlaces = std::vector<surface::CellPlace>;
 // within 1e-9 of 0 or 1. REQUIRES: `cells` as LimitSurface::cells(); u and v in [0, 1].
 CellPlaces cell_places(const mesh::Topology& cells, int cell, const Eigen::Vector2d& uv);
 
+// Whether a place is in no other cell.
+bool is_inside_cell(const Eigen::Vector2d& uv);
+
 }  // namespace hull::analysis

@@ -21,21 +21,24 @@ constexpr double kBulk = 0.95;  // of the length: what bends more is left to its
 
 struct Probe {
   double s, curvature;
+  bool at_break;
 };
 
 std::vector<Probe> probes(const MeasuredCurve& curve) {
   std::vector<Probe> result;
   const double shortest = kShortestPart * curve.length();
-  const auto add = [&](double s) { result.push_back({s, curve.at(s).signed_curvature}); };
-  add(0.0);
+  const auto add = [&](double s, bool at_break) {
+    result.push_back({s, curve.at(s).signed_curvature, at_break});
+  };
+  add(0.0, true);
   double from = 0.0;
   // Breaks are probes themselves: curvature may have a corner there.
   for (const double to : curve.breaks()) {
     if (to - from <= shortest) continue;
     const double wanted = std::ceil((to - from) / (kProbeDistance * curve.length()));
     const int parts = static_cast<int>(std::clamp(wanted, kFewestParts, kMostParts));
-    for (int part = 1; part < parts; ++part) add(from + (to - from) * part / parts);
-    add(to);
+    for (int part = 1; part < parts; ++part) add(from + (to - from) * part / parts, false);
+    add(to, true);
     from = to;
   }
   return result;
@@ -88,7 +91,7 @@ class Marker {
     std::rotate(along_.begin(), along_.begin() + static_cast<std::ptrdiff_t>(start), along_.end());
     const double length = curve_.length(), first = along_.front().s;
     for (Probe& p : along_) p.s += p.s < first ? length : 0.0;
-    along_.push_back({first + length, along_.front().curvature});
+    along_.push_back({first + length, along_.front().curvature, along_.front().at_break});
   }
 
   double within(double s) const {
@@ -142,23 +145,40 @@ class Marker {
     }
   }
 
-  // The largest value of sign * curvature about a probe.
+  // The largest value of sign * curvature about a probe that is not exceeded by those beside it.
   void add_extremum(std::size_t at, double sign) {
     if (at == 0 && !curve_.closed()) return;
-    const double before = at > 0 ? along_[at - 1].s : along_[at].s - (along_[1].s - along_[0].s);
-    const double after = along_[std::min(at + 1, along_.size() - 1)].s;
+    const auto known = [&](std::size_t i) {
+      return Maximum{along_[i].s, sign * along_[i].curvature};
+    };
+    Maximum before = known(at > 0 ? at - 1 : along_.size() - 2);
+    if (at == 0) before.place -= curve_.length();
+    const Maximum here = known(at), after = known(at + 1);
     const auto f = [&](double s) { return sign * curvature(s); };
-    const auto [place, largest] =
-        bracketed_maximum(f, before, after, kExtremumWidth * curve_.length());
-    // A peak at the probe itself, at a knot, may be sharper than the search has seen.
-    double s = along_[at].s, value = sign * along_[at].curvature;
-    if (largest > value) {
-      s = place;
-      value = largest;
-    }
-    value *= sign;
+    const double width = kExtremumWidth * curve_.length();
+    const Maximum top = along_[at].at_break ? beside_break(f, before, here, after, width)
+                                            : bracketed_maximum(f, before, here, after, width);
     const auto kind = sign > 0.0 ? CurveMark::Kind::kMaximum : CurveMark::Kind::kMinimum;
-    add(kind, s, value, sign * value > 0.0);
+    add(kind, top.place, sign * top.value, top.value > 0.0);
+  }
+
+  // Curvature has a corner at a knot, as a rule, and is often greatest there: a step to each side
+  // tells. Where it rises it is smooth up to the next probe.
+  template <class Function>
+  static Maximum beside_break(const Function& f, const Maximum& before, const Maximum& here,
+                              const Maximum& after, double width) {
+    Maximum top = here;
+    for (const Maximum& end : {before, after}) {
+      const double way = end.place - here.place;
+      const double place = here.place + std::copysign(std::min(width, 0.5 * std::abs(way)), way);
+      const Maximum next{place, f(place)};
+      if (!(next.value > here.value)) continue;
+      const bool falls = way < 0.0;
+      const Maximum found =
+          bracketed_maximum(f, falls ? end : here, next, falls ? here : end, width);
+      if (found.value > top.value) top = found;
+    }
+    return top;
   }
 
   const MeasuredCurve& curve_;

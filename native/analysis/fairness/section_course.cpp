@@ -89,8 +89,26 @@ double SectionCourse::middle_height(const Segment& segment) const {
 }
 
 SectionCourse::Segment SectionCourse::segment_between(int a, int b) const {
-  const CellPlaces from = cell_places(surface_.cells(), curve_.cells[a], curve_.uv[a]);
-  const CellPlaces to = cell_places(surface_.cells(), curve_.cells[b], curve_.uv[b]);
+  Segment segment = in_common_cell(a, b);
+  if (segment.along_side) {
+    segment.along_side = middle_height(segment) <= kOnCurve * surface_.mesh().size();
+  }
+  return segment;
+}
+
+SectionCourse::Segment SectionCourse::in_common_cell(int a, int b) const {
+  const auto straight = [](int cell, const Eigen::Vector2d& from, const Eigen::Vector2d& to) {
+    const bool along_side = from.x() == to.x() || from.y() == to.y();
+    return Segment{cell, from, to, along_side, to - from, to - from};
+  };
+  const int cell = curve_.cells[a];
+  const Eigen::Vector2d &uv_a = curve_.uv[a], &uv_b = curve_.uv[b];
+  // Most points are inside a cell, which is the only one then.
+  if (curve_.cells[b] == cell && (is_inside_cell(uv_a) || is_inside_cell(uv_b))) {
+    return straight(cell, uv_a, uv_b);
+  }
+  const CellPlaces from = cell_places(surface_.cells(), cell, uv_a);
+  const CellPlaces to = cell_places(surface_.cells(), curve_.cells[b], uv_b);
   Segment best{-1, {}, {}, false, {}, {}};
   std::optional<double> best_height;
   // Places on sides and at corners are in several cells; if two points have more than one in
@@ -98,8 +116,7 @@ SectionCourse::Segment SectionCourse::segment_between(int a, int b) const {
   for (const surface::CellPlace& q : to) {
     for (const surface::CellPlace& p : from) {
       if (p.cell != q.cell) continue;
-      const Eigen::Vector2d start(p.u, p.v), end(q.u, q.v);
-      const Segment segment{p.cell, start, end, p.u == q.u || p.v == q.v, end - start, end - start};
+      const Segment segment = straight(p.cell, {p.u, p.v}, {q.u, q.v});
       if (best.cell < 0) {
         best = segment;  // as a rule the only one
         continue;
@@ -110,10 +127,6 @@ SectionCourse::Segment SectionCourse::segment_between(int a, int b) const {
       best = segment;
       best_height = height;
     }
-  }
-  if (best.along_side) {
-    if (!best_height) best_height = middle_height(best);
-    best.along_side = *best_height <= kOnCurve * surface_.mesh().size();
   }
   return best;
 }

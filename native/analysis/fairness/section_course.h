@@ -32,6 +32,7 @@ class SectionCourse : public MeasuredCurve {
     Eigen::Vector2d leaving, reaching;
   };
   Segment segment_between(int a, int b) const;
+  Segment in_common_cell(int a, int b) const;
   double middle_height(const Segment& segment) const;
   void lead(int k);
   Eigen::Vector2d slope_at(const Segment& segment, int k, bool at_end) const;
