@@ -4,6 +4,7 @@
 #include <pybind11/stl.h>
 
 #include "analysis/stations/bonjean.h"
+#include "analysis/stations/kept_stations.h"
 #include "bindings/arrays.h"
 
 namespace hull::bindings {
@@ -90,6 +91,25 @@ void bind_section_areas(py::module_& module) {
       "(draft_at, "
       "0) meets the water, trim (by the stern) and heel (to starboard) in rad. Where the area "
       "jumps, at a transom, it is the larger one.");
+
+  py::class_<analysis::KeptStations>(
+      module, "KeptStations",
+      "Immersed stations of a body whose surface's points are moved: of each that was asked for "
+      "the "
+      "integrals over its cells are kept, and only those over cells that have moved are taken "
+      "again.")
+      .def(py::init<const analysis::HullBody&>(), py::arg("body"), py::keep_alive<1, 2>())
+      .def(
+          "section_areas",
+          [](analysis::KeptStations& kept, const std::vector<double>& positions, double draft,
+             double trim, double heel, double draft_at) {
+            // The lock is kept: what is kept is changed.
+            return S{kept.section_areas(positions,
+                                        analysis::water_plane({draft, trim, heel, draft_at}))};
+          },
+          py::arg("positions"), py::kw_only(), py::arg("draft"), py::arg("trim") = 0.0,
+          py::arg("heel") = 0.0, py::arg("draft_at") = 0.0,
+          "What the function section_areas() gives of the body as it is, to the last bit.");
 
   module.def(
       "volume_abaft",

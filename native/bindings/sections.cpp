@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "analysis/sections/kept_sections.h"
 #include "analysis/sections/section_splines.h"
 #include "bindings/arrays.h"
 #include "bindings/casts.h"
@@ -198,6 +199,22 @@ void bind_sections(py::module_& module) {
       "The sections by several planes: (n, 4), of each its normal, of any length, and offset, for "
       "normal·p = offset. A list of n lists of SectionCurve, as section() gives them; for many "
       "planes cheaper than one by one.");
+  py::class_<analysis::KeptSections>(
+      module, "KeptSections",
+      "Sections of a surface whose points are moved: of each plane that was asked for the parts "
+      "are "
+      "kept, cell by cell, and only cells that have moved since are cut again.")
+      .def(py::init<const surface::LimitSurface&>(), py::arg("surface"), py::keep_alive<1, 2>())
+      .def(
+          "sections",
+          [](analysis::KeptSections& kept, const DoubleArray& planes, double chord_tolerance,
+             const std::optional<double>& flat_tolerance) {
+            // The lock is kept: what is kept is changed.
+            return kept.sections(planes_from(planes), {chord_tolerance, flat_tolerance});
+          },
+          py::arg("planes"), py::arg("chord_tolerance"), py::kw_only(),
+          py::arg("flat_tolerance") = py::none(),
+          "What the function sections() gives of the surface as it is, to the last bit.");
   module.def(
       "section_splines",
       [](const surface::LimitSurface& surface, const DoubleArray& planes,

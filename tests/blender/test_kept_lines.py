@@ -60,9 +60,9 @@ def test_only_areas_near_the_point_are_integrated_again(hull, monkeypatch):
     areas = part("features.curves_of_form.sectional_areas")
     counts, computed = [], areas._computed
 
-    def counted(body, stations, where):
+    def counted(ship, stations, where):
         counts.append(len(stations))
-        return computed(body, stations, where)
+        return computed(ship, stations, where)
 
     monkeypatch.setattr(areas, "_computed", counted)
     outcome_of = part("features.analyses").outcome_of

@@ -77,6 +77,10 @@ REFUSE = {
             "comes_near": lambda own: own.comes_near([(1.0, 0.0, 0.0, 2.0)], margin=0.0),
         },
     ),
+    "KeptStations": Holder(
+        lambda surface, body: hn.KeptStations(body),
+        {"areas": lambda own: own.section_areas([4.0, 5.0], **AFLOAT).areas},
+    ),
     "FormNumbers": Holder(
         form_numbers,
         {
@@ -184,6 +188,10 @@ KEEP = {
 
 # What depends on topology alone: the same of the surface as it is.
 FOLLOW = {
+    "KeptSections": Holder(
+        lambda surface, body: hn.KeptSections(surface),
+        {"sections": lambda own: own.sections([(1.0, 0.0, 0.0, 3.0)], 1e-3)},
+    ),
     "BodyDerivatives": Holder(
         lambda surface, body: hn.BodyDerivatives(body),
         {"gradient": lambda own: hn.FormNumbers(own, **AFLOAT).gradient("kb")},

@@ -37,7 +37,7 @@ def assert_follows(hull):
 
     lines = part("features.lines.lines")
     cuts = lines.wanted_cuts(settings, surface.mesh.points, 1.0)
-    nothing_known = part("bridge.mesh.moves").Moves(None, None, None)
+    nothing_known = part("bridge.mesh.moves").Moves(None, None)
     groups = lines.groups({}, surface, cuts, settings.half, nothing_known)
     assert groups.keys() == state.lines.groups.keys()
     for kind, group in groups.items():

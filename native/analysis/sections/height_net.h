@@ -12,6 +12,8 @@ namespace hull::analysis {
 // that lies as near to the plane as that lies in it. m.
 struct HeightTolerances {
   double zero, flat;
+
+  bool operator==(const HeightTolerances&) const = default;
 };
 
 // The height of a piece above a plane, h = u^a (1-u)^b v^c (1-v)^d g: the sides of the piece that

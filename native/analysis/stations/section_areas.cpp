@@ -9,17 +9,21 @@
 
 namespace hull::analysis {
 
-std::vector<SectionArea> section_areas(const HullBody& body, const std::vector<double>& positions,
-                                       const Plane& water) {
+void check_stations(const HullBody& body, const std::vector<double>& positions,
+                    const Plane& water) {
   body.refuse_flooding(water);
   for (double position : positions) {
     if (!std::isfinite(position)) {
       throw std::invalid_argument("The position of a station must be a finite number.");
     }
   }
+}
+
+std::vector<SectionArea> section_areas(const HullBody& body, const std::vector<double>& positions,
+                                       const Plane& water) {
+  check_stations(body, positions, water);
   const StationCutter cutter(body);
   std::vector<SectionArea> areas(positions.size());
-  constexpr std::size_t kGrain = 2;  // a station takes some 50 microseconds
   surface::parallel_for(
       positions.size(), surface::kAllProcessors,
       [&](std::size_t begin, std::size_t end) {
@@ -27,7 +31,7 @@ std::vector<SectionArea> section_areas(const HullBody& body, const std::vector<d
           areas[i] = immersed_station(cutter, positions[i], water);
         }
       },
-      kGrain);
+      kStationGrain);
   return areas;
 }
 

@@ -32,4 +32,10 @@ std::vector<SectionArea> section_areas(const HullBody& body, const std::vector<d
 std::vector<SectionArea> section_areas(const HullBody& body, const std::vector<double>& positions,
                                        const Plane& water);
 
+// Throws as section_areas() does.
+void check_stations(const HullBody& body, const std::vector<double>& positions, const Plane& water);
+
+// A station takes some 50 microseconds: so many are worth a thread.
+inline constexpr std::size_t kStationGrain = 2;
+
 }  // namespace hull::analysis

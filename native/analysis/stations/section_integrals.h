@@ -45,6 +45,8 @@ struct ArcRule {
   int nodes;
   double area, length;
   int deepest = kDeepestCut;
+
+  bool operator==(const ArcRule&) const = default;
 };
 
 // For a mesh of that size and a body's tolerance (body_rules.h).
@@ -56,21 +58,46 @@ void add_arcs(const ArcSquare& square, double level, const ArcRule& rule, Sectio
 // Adds a straight line from (a0, b0) to (a1, b1), which is no part of the shell.
 void add_line(double a0, double b0, double a1, double b1, double level, SectionIntegrals& sum);
 
-// Calls visit(const ArcPiece&) for all pieces that may reach the plane below b = level. Squares at
-// irregular knots are left out once they are below 1e-9 of the size.
+// What of a plane's section is looked at: pieces that may reach below b = level.
+struct ArcSearch {
+  ArcSearch(const surface::LimitSurface& surface, const SectionFrame& frame, double level)
+      : surface(surface), frame(frame), level(level), top(level + frame.up.dot(frame.origin)) {}
+
+  // Whether a cell's box leaves room for such.
+  bool may_reach(const CellBoxes& boxes, int cell) const {
+    return boxes.least(cell, frame.plane.normal) < frame.plane.offset &&
+           boxes.most(cell, frame.plane.normal) >= frame.plane.offset &&
+           boxes.least(cell, frame.up) < top;
+  }
+
+  const surface::LimitSurface& surface;
+  const SectionFrame& frame;
+  double level, top;
+};
+
+// Calls visit(const ArcPiece&) for such pieces of a cell. Squares at irregular knots are left out
+// once they are below 1e-9 of the size.
 struct ArcPiece {
   const surface::SurfacePiece& piece;
   BezierNet h;  // heights of rounding size are zero
 };
 template <class Visit>
-void for_each_arc_piece(const surface::LimitSurface& surface, const CellBoxes& boxes,
-                        const SectionFrame& frame, double level, const Visit& visit);
+void for_each_arc_piece_in(const ArcSearch& search, int cell, const Visit& visit);
 
-// Calls visit(const ArcSquare&) for all squares that the section crosses and that reach below
-// b = level. What lies in the plane counts as above it.
+// The same for all cells.
 template <class Visit>
-void for_each_arc(const surface::LimitSurface& surface, const CellBoxes& boxes,
-                  const SectionFrame& frame, double level, int deepest, const Visit& visit);
+void for_each_arc_piece(const surface::LimitSurface& surface, const CellBoxes& boxes,
+                        const SectionFrame& frame, double level, const Visit& visit) {
+  const ArcSearch search(surface, frame, level);
+  for (int cell = 0; cell < surface.cell_count(); ++cell) {
+    if (search.may_reach(boxes, cell)) for_each_arc_piece_in(search, cell, visit);
+  }
+}
+
+// Calls visit(const ArcSquare&) for all squares of a cell that the section crosses and that reach
+// below b = level. What lies in the plane counts as above it.
+template <class Visit>
+void for_each_arc_in(const ArcSearch& search, int cell, int deepest, const Visit& visit);
 
 namespace section_internal {
 
@@ -89,29 +116,23 @@ inline bool reaches(const Vector3d* begin, const Vector3d* end, const SectionFra
 }  // namespace section_internal
 
 template <class Visit>
-void for_each_arc_piece(const surface::LimitSurface& surface, const CellBoxes& boxes,
-                        const SectionFrame& frame, double level, const Visit& visit) {
+void for_each_arc_piece_in(const ArcSearch& search, int cell, const Visit& visit) {
   using namespace section_internal;
-  const double size = surface.mesh().size();
-  const double top = level + frame.up.dot(frame.origin);
+  const SectionFrame& frame = search.frame;
+  const double size = search.surface.mesh().size();
   const auto descend = [&](const surface::CornerSquare& square) {
     const std::vector<Vector3d>& points = square.points();
-    if (!reaches(points.data(), points.data() + points.size(), frame, top)) return false;
+    if (!reaches(points.data(), points.data() + points.size(), frame, search.top)) return false;
     return square.extent() > kSmallestCorner * size;
   };
   const auto take = [&](const surface::SurfacePiece& piece) {
     const Vector3d* begin = piece.points.data();
-    if (!reaches(begin, begin + 16, frame, top)) return;
+    if (!reaches(begin, begin + 16, frame, search.top)) return;
     ArcPiece found{piece, bezier_net(piece.points, frame.plane.normal, frame.plane.offset)};
     flush_to_zero(found.h, kZeroHeight * size);
     visit(found);
   };
-  const Vector3d& normal = frame.plane.normal;
-  for (int cell = 0; cell < surface.cell_count(); ++cell) {
-    if (boxes.least(cell, normal) >= frame.plane.offset) continue;
-    if (boxes.most(cell, normal) < frame.plane.offset) continue;
-    if (boxes.least(cell, frame.up) < top) surface::for_each_piece(surface, cell, descend, take);
-  }
+  surface::for_each_piece(search.surface, cell, descend, take);
 }
 
 // The squares of one piece.
@@ -145,10 +166,9 @@ void for_each_arc_of(const ArcPiece& piece, const SectionFrame& frame, double le
 }
 
 template <class Visit>
-void for_each_arc(const surface::LimitSurface& surface, const CellBoxes& boxes,
-                  const SectionFrame& frame, double level, int deepest, const Visit& visit) {
-  for_each_arc_piece(surface, boxes, frame, level, [&](const ArcPiece& piece) {
-    for_each_arc_of(piece, frame, level, visit, deepest);
+void for_each_arc_in(const ArcSearch& search, int cell, int deepest, const Visit& visit) {
+  for_each_arc_piece_in(search, cell, [&](const ArcPiece& piece) {
+    for_each_arc_of(piece, search.frame, search.level, visit, deepest);
   });
 }
 

@@ -70,6 +70,11 @@ std::vector<ClosingLine> lines_across(const SectionFrame& frame,
   return lines;
 }
 
+void add_other_side(SectionIntegrals other, SectionIntegrals& sum) {
+  other.moment_a = -other.moment_a;  // `a` runs to the other side there
+  sum += other;
+}
+
 // The largest distance of the points from the plane x = position.
 template <class Points>
 double farthest(const Points& points, double position) {
@@ -84,19 +89,30 @@ SectionOutline::SectionOutline(const surface::LimitSurface& surface, const CellB
                                const SectionFrame& frame, std::vector<ClosingLine> closing,
                                double highest_level, const ArcRule& rule)
     : rule_(rule), closing_(std::move(closing)) {
-  for_each_arc(surface, boxes, frame, highest_level, rule.deepest,
-               [this](const ArcSquare& square) { squares_.push_back(square); });
+  const ArcSearch search(surface, frame, highest_level);
+  for (int cell = 0; cell < surface.cell_count(); ++cell) {
+    if (!search.may_reach(boxes, cell)) continue;
+    for_each_arc_in(search, cell, rule.deepest,
+                    [this](const ArcSquare& square) { squares_.push_back(square); });
+    cell_ends_.push_back(squares_.size());
+  }
 }
 
 SectionIntegrals SectionOutline::below(double level) const {
   SectionIntegrals sum;
-  for (std::size_t i = 0; i < squares_.size(); ++i) {
-    // The coefficients' convex hull: none of the square reaches the level.
-    if (!whole_.empty() && highest(squares_[i].b) < level) {
-      sum += whole_[i];
-    } else {
-      add_arcs(squares_[i], level, rule_, sum);
+  std::size_t i = 0;
+  // Cell by cell, as those are added that keep what cells gave (kept_stations.h).
+  for (const std::size_t end : cell_ends_) {
+    SectionIntegrals of_cell;
+    for (; i < end; ++i) {
+      // The coefficients' convex hull: none of the square reaches the level.
+      if (!whole_.empty() && highest(squares_[i].b) < level) {
+        of_cell += whole_[i];
+      } else {
+        add_arcs(squares_[i], level, rule_, of_cell);
+      }
     }
+    sum += of_cell;
   }
   for (const ClosingLine& line : closing_) {
     add_line(line.a0, line.b0, line.a1, line.b1, level, sum);
@@ -184,17 +200,18 @@ SectionArea StationViews::below(double level) const {
 
 SectionArea StationViews::below(const View& view, double level) const {
   SectionIntegrals sum = view.sides.front().below(level);
-  // `a` runs to the other side there.
-  if (doubled_ || view.sides.size() > 1) {
-    SectionIntegrals other = doubled_ ? sum : view.sides.back().below(level);
-    other.moment_a = -other.moment_a;
-    sum += other;
-  }
+  if (view.sides.size() > 1) add_other_side(view.sides.back().below(level), sum);
+  return station_of(position_, view.frame, sum, doubled_);
+}
+
+SectionArea station_of(double position, const SectionFrame& frame, SectionIntegrals sum,
+                       bool doubled) {
+  if (doubled) add_other_side(sum, sum);
   SectionArea result;
-  result.position = position_;
+  result.position = position;
   result.area = sum.area;
   if (sum.area > 0.0) {
-    result.centroid = view.frame.point(sum.moment_a / sum.area, sum.moment_b / sum.area);
+    result.centroid = frame.point(sum.moment_a / sum.area, sum.moment_b / sum.area);
   }
   result.girth = sum.girth;
   result.breadth = sum.breadth;

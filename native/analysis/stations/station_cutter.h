@@ -32,6 +32,7 @@ class SectionOutline {
  private:
   ArcRule rule_;
   std::vector<ArcSquare> squares_;
+  std::vector<std::size_t> cell_ends_;   // the squares of one cell end before these
   std::vector<SectionIntegrals> whole_;  // of each square, once prepared
   std::vector<ClosingLine> closing_;
 };
@@ -51,13 +52,14 @@ class StationCutter {
   SectionOutline outline(const SectionFrame& frame, double highest_level,
                          const ArcRule& rule) const;
 
+  // What closes it.
+  std::vector<ClosingLine> closing_lines(const SectionFrame& frame) const;
+
   const HullBody& body() const { return *body_; }
   // That of the body's tolerance.
   const ArcRule& rule() const { return rule_; }
 
  private:
-  std::vector<ClosingLine> closing_lines(const SectionFrame& frame) const;
-
   const HullBody* body_;
   ArcRule rule_;
 };
@@ -86,6 +88,10 @@ class StationViews {
   bool doubled_;  // the other side's integrals are those of the first
   std::vector<View> views_;
 };
+
+// From the integrals over one side; doubled: the other side's are the same.
+SectionArea station_of(double position, const SectionFrame& frame, SectionIntegrals sum,
+                       bool doubled);
 
 // Both sides of the station in the given water, by the cutter's rule or another.
 SectionArea immersed_station(const StationCutter& cutter, double position, const Plane& water);

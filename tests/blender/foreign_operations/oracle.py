@@ -54,7 +54,7 @@ class Fresh:
             self.hydrostatics = part("features.flotation.hydrostatics").at(own, where)
         except ValueError as error:
             self.hydrostatics = str(error)
-        moved = part("bridge.mesh.moves").Moves(None, "fresh", None)
+        moved = part("bridge.mesh.moves").Moves(None, "fresh")
         try:
             cuts = lines.wanted_cuts(settings, self.surface.mesh.points, scale)
             self.lines = lines.groups({}, self.surface, cuts, settings.half, moved)

@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What has moved of a surface since its last change, so that what did not can stay."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
+
+from .. import native
 
 # Beyond the tolerance to which sections are cut, as a part of it: rounding.
 _MARGIN = 2.0
@@ -12,11 +14,18 @@ _MARGIN = 2.0
 @dataclass(frozen=True, eq=False)
 class Moves:
     """before, after: keys of the surface, equal where surfaces are. watch: a hull_native.MoveWatch
-    of what has moved between the two."""
+    of what has moved between the two. cutter: a hull_native.KeptSections of the surface."""
 
     before: tuple
     after: tuple
-    watch: object
+    watch: object = None
+    cutter: object = None
+
+    @staticmethod
+    def of(surface, key):
+        """Of a new hull_native.LimitSurface with this key."""
+        hull_native = native.require()
+        return Moves(None, key, hull_native.MoveWatch(surface), hull_native.KeptSections(surface))
 
     def kept(self, key, planes, tolerance):
         """(n,) which sections of a surface with this key, by planes (n, 4), are those of the
@@ -30,4 +39,13 @@ class Moves:
     def further(self, before, after):
         """Of a surface whose points were just set."""
         self.watch.update()
-        return Moves(before, after, self.watch)
+        return replace(self, before=before, after=after)
+
+    def sections(self, surface, planes, chord_tolerance, flat_tolerance):
+        """hull_native.sections of the surface by planes (n, 4); of those of before only what has
+        moved is cut anew."""
+        if self.cutter is None:
+            return native.require().sections(
+                surface, planes, chord_tolerance, flat_tolerance=flat_tolerance
+            )
+        return self.cutter.sections(planes, chord_tolerance, flat_tolerance=flat_tolerance)

@@ -55,13 +55,13 @@ def compute(ship, where):
 def _areas(ship, stations, where):
     """Areas at these stations; those of a body that follows edits are kept where it stays."""
     if ship.moved is None:
-        return _computed(ship.body, stations, where)
+        return _computed(ship, stations, where)
     known_key, known_where, known = ship.memory.get("sectional areas", (None, None, None))
     stays = np.zeros(len(stations), dtype=bool)
     if known_where == where and np.array_equal(known.positions, stations):
         planes = np.column_stack([np.tile((1.0, 0.0, 0.0), (len(stations), 1)), stations])
         stays = ship.moved.kept(known_key, planes, lines.flat_tolerance(ship.body.surface))
-    found = _computed(ship.body, stations[~stays], where)
+    found = _computed(ship, stations[~stays], where)
     if stays.any():
         found = Areas(*(_merged(getattr(known, f.name), getattr(found, f.name), stays)
                         for f in fields(Areas)))  # fmt: skip
@@ -69,9 +69,21 @@ def _areas(ship, stations, where):
     return found
 
 
-def _computed(body, stations, where):
-    found = native.require().section_areas(body, stations, **where.position())
+def _computed(ship, stations, where):
+    if ship.moved is None:
+        found = native.require().section_areas(ship.body, stations, **where.position())
+    else:
+        found = _kept_stations(ship).section_areas(stations, **where.position())
     return Areas(*(getattr(found, f.name) for f in fields(Areas)))
+
+
+def _kept_stations(ship):
+    """The hull_native.KeptStations of a body that follows edits."""
+    body, kept = ship.memory.get("kept stations", (None, None))
+    if body is not ship.body:
+        kept = native.require().KeptStations(ship.body)
+        ship.memory["kept stations"] = ship.body, kept
+    return kept
 
 
 def _merged(known, new, stays):

@@ -131,7 +131,7 @@ class LiveShip:
         has_moved = self.geometry_key != geometry_key
         if surface is None or self.topology_key != topology_key or self._is_of_others(source):
             surface, body = native.require().LimitSurface(mesh, source.scheme), None
-            self.moved = moves.Moves(None, geometry_key, native.require().MoveWatch(surface))
+            self.moved = moves.Moves.of(surface, geometry_key)
         elif has_moved:
             # Until all of them have the points that the surface has, there is no body.
             before, self.geometry_key, self.body = self.geometry_key, None, None

@@ -194,7 +194,7 @@ def groups(known, surface, wanted, half, moved):
     for kind in missing:
         stays[kind] = _sections_that_stay(known.get(kind), moved, tolerance)
     new = [cut for kind in missing for cut in wanted[kind] if cut not in stays[kind]]
-    curves = iter(_curves(surface, new))
+    curves = iter(_curves(surface, new, moved))
     for kind in missing:
         own = stays[kind]
         found[kind] = Group(
@@ -217,15 +217,11 @@ def _sections_that_stay(before, moved, tolerance):
     return {one.cut: one for one, is_same in zip(before.sections, stay) if is_same}
 
 
-def _curves(surface, cuts):
+def _curves(surface, cuts, moved):
     if not cuts:
         return []
-    return native.require().sections(
-        surface,
-        np.array([cut.plane for cut in cuts]),
-        chord_tolerance(surface),
-        flat_tolerance=flat_tolerance(surface),
-    )
+    planes = np.array([cut.plane for cut in cuts])
+    return moved.sections(surface, planes, chord_tolerance(surface), flat_tolerance(surface))
 
 
 def _other_curves(kind, surface):

@@ -5,7 +5,6 @@ shows, with knuckles and borders."""
 from dataclasses import dataclass, field
 from types import SimpleNamespace
 
-from ...bridge import native
 from ...bridge.mesh import moves
 from ..lines import lines
 
@@ -25,7 +24,7 @@ class GhostLines:
         """Brings them up to date with a hull_native.LimitSurface at the places of an Object.hull.
         key: equal for surfaces that are the same; scale: metres a unit."""
         if self._moved is None or self._moved.after != key:
-            self._moved = moves.Moves(None, key, native.require().MoveWatch(surface))
+            self._moved = moves.Moves.of(surface, key)
         cuts = _cuts(settings, surface, is_half, scale)
         found, known = lines.groups(self.groups, surface, cuts, is_half, self._moved), self.groups
         if known.keys() != found.keys() or any(found[kind] is not known[kind] for kind in found):

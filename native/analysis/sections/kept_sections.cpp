@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/sections/kept_sections.h"
+
+#include <set>
+
+#include "analysis/sections/section_curves.h"
+#include "surface/parallel_for.h"
+
+namespace hull::analysis {
+namespace {
+
+// More planes than a ship's lines have: those of before are forgotten, as of lines that were moved.
+constexpr std::size_t kMostPlanes = 1000;
+
+// Appends points, arcs and spots of other parts.
+void append(const SectionParts& from, const std::array<int, 3>& begin,
+            const std::array<int, 3>& end, SectionParts& to) {
+  const int shift = static_cast<int>(to.points.size()) - begin[0];
+  to.points.insert(to.points.end(), from.points.begin() + begin[0], from.points.begin() + end[0]);
+  for (int i = begin[1]; i < end[1]; ++i) {
+    SectionArc arc = from.arcs[i];
+    arc.first += shift;
+    arc.last += shift;
+    to.arcs.push_back(arc);
+  }
+  to.spots.insert(to.spots.end(), from.spots.begin() + begin[2], from.spots.begin() + end[2]);
+}
+
+std::array<int, 3> counts(const SectionParts& parts) {
+  return {static_cast<int>(parts.points.size()), static_cast<int>(parts.arcs.size()),
+          static_cast<int>(parts.spots.size())};
+}
+
+}  // namespace
+
+std::vector<std::vector<SectionCurve>> KeptSections::sections(const std::vector<Plane>& planes,
+                                                              const SectionOptions& options) {
+  check_planes(planes);
+  const SectionRules rules = section_rules(*surface_, options);
+  if (rules_ != rules || kept_.size() > kMostPlanes) kept_.clear();
+  rules_ = rules;
+  boxes_.update(*surface_);
+  std::vector<KeptParts*> kept(planes.size());
+  std::vector<KeptParts> of_repeated;  // two threads must not write the same
+  of_repeated.reserve(planes.size());
+  std::set<KeptParts*> taken;
+  for (std::size_t i = 0; i < planes.size(); ++i) {
+    const Vector3d& n = planes[i].normal;
+    kept[i] = &kept_[{n.x(), n.y(), n.z(), planes[i].offset}];
+    if (!taken.insert(kept[i]).second) kept[i] = &of_repeated.emplace_back();
+  }
+  std::vector<std::vector<SectionCurve>> result(planes.size());
+  surface::parallel_for(
+      planes.size(), surface::kAllProcessors,
+      [&](std::size_t begin, std::size_t end) {
+        CellCutter cutter(*surface_, rules);
+        for (std::size_t i = begin; i < end; ++i) result[i] = cut(planes[i], cutter, *kept[i]);
+      },
+      kSectionGrain);
+  return result;
+}
+
+std::vector<SectionCurve> KeptSections::cut(const Plane& plane, CellCutter& cutter,
+                                            KeptParts& kept) const {
+  KeptParts now{surface_->revision(), {}, {}};
+  PlaneSides sides(*surface_, plane);
+  std::array<int, 3> begin{};
+  auto next = kept.cells.begin();
+  for (int cell = 0; cell < surface_->cell_count(); ++cell) {
+    const bool had_parts = next != kept.cells.end() && next->cell == cell;
+    const std::array<int, 3> end =
+        had_parts ? std::array{next->points, next->arcs, next->spots} : begin;
+    if (surface_->moved_at(cell) > kept.revision) {
+      if (cutter.may_have_part(boxes_, cell, plane)) {
+        cutter.add_parts(cell, plane, sides, now.parts);
+      }
+    } else if (had_parts) {
+      append(kept.parts, begin, end, now.parts);
+    }
+    if (had_parts) ++next;
+    begin = end;
+    const auto [points, arcs, spots] = counts(now.parts);
+    const CellEnds last = now.cells.empty() ? CellEnds{-1, 0, 0, 0} : now.cells.back();
+    if (points > last.points || arcs > last.arcs || spots > last.spots) {
+      now.cells.push_back({cell, points, arcs, spots});
+    }
+  }
+  const bool keeps = sides.empty();
+  if (!keeps) sides.add_arcs(rules_->chord, now.parts);
+  std::vector<SectionCurve> curves = section_curves(*surface_, now.parts);
+  // What lies along sides is seen of all cells together.
+  kept = keeps ? std::move(now) : KeptParts{};
+  return curves;
+}
+
+}  // namespace hull::analysis

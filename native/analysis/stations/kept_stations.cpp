@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/stations/kept_stations.h"
+
+#include <set>
+
+#include "surface/parallel_for.h"
+
+namespace hull::analysis {
+namespace {
+
+// More than a curve of sectional areas has: those of before are forgotten, as of ends that moved.
+constexpr std::size_t kMostStations = 2000;
+
+}  // namespace
+
+bool KeptStations::Conditions::operator==(const Conditions& other) const {
+  return water.normal == other.water.normal && water.offset == other.water.offset &&
+         rule == other.rule && size == other.size;
+}
+
+std::vector<SectionArea> KeptStations::section_areas(const std::vector<double>& positions,
+                                                     const Plane& water) {
+  check_stations(*body_, positions, water);
+  const StationCutter cutter(*body_);
+  const Conditions now{water, cutter.rule(), body_->surface().mesh().size()};
+  if (!conditions_ || !(*conditions_ == now) || kept_.size() > kMostStations) kept_.clear();
+  conditions_ = now;
+  std::vector<KeptCells*> kept(positions.size());
+  std::vector<KeptCells> of_repeated;  // two threads must not write the same
+  of_repeated.reserve(positions.size());
+  std::set<KeptCells*> taken;
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    kept[i] = &kept_[positions[i]];
+    if (!taken.insert(kept[i]).second) kept[i] = &of_repeated.emplace_back();
+  }
+  std::vector<SectionArea> areas(positions.size());
+  surface::parallel_for(
+      positions.size(), surface::kAllProcessors,
+      [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+          areas[i] = station(cutter, positions[i], *kept[i]);
+        }
+      },
+      kStationGrain);
+  return areas;
+}
+
+SectionArea KeptStations::station(const StationCutter& cutter, double position,
+                                  KeptCells& kept) const {
+  const Plane& water = conditions_->water;
+  const bool upright = water.normal.y() == 0.0;
+  if ((body_->mirrored() && !upright) || cutter.distance_of_flats(position)) {
+    kept = {};
+    return immersed_station(cutter, position, water);
+  }
+  const surface::LimitSurface& surface = body_->surface();
+  const SectionFrame frame = SectionFrame::above_water({Vector3d::UnitX(), position}, water);
+  const ArcSearch search(surface, frame, 0.0);
+  KeptCells now{surface.revision(), {}};
+  SectionIntegrals sum;
+  auto known = kept.cells.begin();
+  for (int cell = 0; cell < surface.cell_count(); ++cell) {
+    const bool is_known = known != kept.cells.end() && known->first == cell;
+    if (surface.moved_at(cell) <= kept.revision) {
+      if (is_known) now.cells.push_back(*known);
+    } else if (search.may_reach(body_->boxes(), cell)) {
+      SectionIntegrals& of_cell = now.cells.emplace_back(cell, SectionIntegrals{}).second;
+      for_each_arc_in(search, cell, cutter.rule().deepest, [&](const ArcSquare& square) {
+        add_arcs(square, 0.0, cutter.rule(), of_cell);
+      });
+    }
+    if (is_known) ++known;
+  }
+  for (const auto& [cell, of_cell] : now.cells) sum += of_cell;
+  for (const ClosingLine& line : cutter.closing_lines(frame)) {
+    add_line(line.a0, line.b0, line.a1, line.b1, 0.0, sum);
+  }
+  kept = std::move(now);
+  return station_of(position, frame, sum, body_->mirrored());
+}
+
+}  // namespace hull::analysis
