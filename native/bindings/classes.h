@@ -28,6 +28,7 @@ void bind_stability_criteria(pybind11::module_& module);
 void bind_offset_table(pybind11::module_& module);
 void bind_sections(pybind11::module_& module);
 void bind_curve_fairness(pybind11::module_& module);
+void bind_comb_arrays(pybind11::module_& module);
 void bind_surface_fields(pybind11::module_& module);
 void bind_light_lines(pybind11::module_& module);
 void bind_flatness(pybind11::module_& module);

@@ -26,6 +26,7 @@ PYBIND11_MODULE(_core, module) {
   bind_offset_table(module);
   bind_sections(module);
   bind_curve_fairness(module);
+  bind_comb_arrays(module);
   bind_surface_fields(module);
   bind_light_lines(module);
   bind_flatness(module);

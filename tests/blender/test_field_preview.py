@@ -91,6 +91,25 @@ def test_it_follows_a_flat_side_that_is_released_meanwhile():
     bpy.ops.hull.cancel_fields()
 
 
+def test_a_plane_that_a_script_set_before_is_in_effect():
+    hull, flats = sample("barge"), part("features.constraints.flats")
+    breadth = points_of(hull)[:, 1].max()
+    side = [face.index for face in hull.data.polygons
+            if all(hull.data.vertices[i].co.y == breadth for i in face.vertices)]  # fmt: skip
+    flats.mark(hull, side, np.array([0.0, 1.0, 0.0, breadth]))
+    changed()
+    add(hull, side_point(hull), extent=40.0, shift=(0.0, 0.2, 0.1))
+    (entry,) = hull.hull.flats
+    entry.normal = (0.02, 0.98, 0.02)
+    assert bpy.ops.hull.preview_fields() == {"FINISHED"} and not shown(hull).problem
+    assert not preview_oracle.differences(hull, bpy.context.scene)
+    bpy.ops.hull.cancel_fields()
+    changed()
+    of_side = np.unique([i for face in side for i in hull.data.polygons[face].vertices])
+    plane = flats.plane_of(entry)
+    assert np.abs(points_of(hull)[of_side] @ plane[:3] - plane[3]).max() < 1e-4
+
+
 def test_it_follows_a_point_that_is_tied_meanwhile():
     """To one that the field does not move, and so it stays as well."""
     hull, _, before = previewed()

@@ -86,6 +86,21 @@ def test_a_point_goes_back_into_its_plane(in_edit_mode):
     assert kept_planes(hull) == {number: [0.0, 1.0, 0.0, HALF_BREADTH]}
 
 
+def test_points_go_into_a_plane_that_a_script_sets_with_the_next_edit():
+    hull = divided_hull()
+    number = mark(hull, SIDE)
+    (entry,) = hull.hull.flats
+    entry.normal, entry.offset = (0.0, 0.8, 0.6), 1.5
+    move(hull, [], (0.0, 0.0, 0.0))
+    own = mesh_points(hull)[points_of(hull, number)]
+    assert np.abs(own @ (0.0, 0.8, 0.6) - 1.5).max() < 1e-6
+    assert np.allclose(kept_planes(hull)[number], (0.0, 0.8, 0.6, 1.5), atol=1e-6)
+    entry.offset = 1.25
+    move(hull, [], (0.0, 0.0, 0.0))
+    own = mesh_points(hull)[points_of(hull, number)]
+    assert np.abs(own @ (0.0, 0.8, 0.6) - 1.25).max() < 1e-6
+
+
 def test_points_of_the_interface():
     hull = divided_hull()
     mark(hull, SIDE)

@@ -2,8 +2,8 @@
 """Keeping flat what is to be flat, while its points are moved.
 
 `keep` is called before a hull's mesh is read. Points that left the plane of their region go back to
-the nearest place in it, those of two regions to the nearest in both. A region that moved as a whole
-and is plane still takes its plane along. A change of the mesh's faces moves no point: faces that
+the nearest place in it, those of two regions to the nearest in both, and so do all where the plane is
+set to another one. A region that moved as a whole and is plane still takes its plane along. A change of the mesh's faces moves no point: faces that
 lie elsewhere then, as those that were extruded from a region, are not of the region any longer.
 """
 
@@ -19,12 +19,13 @@ _MOST_KNOWN = 256
 
 class Memory:
     """What `keep` has seen of one hull: the keys of the FlatFaces whose tags were looked through,
-    and where the points were last."""
+    and where the points and the planes were last."""
 
     def __init__(self):
         self.known = {}
         self.last_key = None
         self.last_points = None
+        self.last_planes = None
 
     def learn(self, key):
         self.known[key] = None
@@ -55,11 +56,16 @@ def keep(obj, memory):
     has_moved = None
     if key == memory.last_key:
         has_moved = (points != memory.last_points).any(axis=1)
-    is_changed = (has_moved is None or has_moved.any()) and _restore(
-        obj, flat, entries, indices, points, has_moved
-    )
+    is_due = has_moved is None or has_moved.any() or _values_of(entries) != memory.last_planes
+    is_changed = is_due and _restore(obj, flat, entries, indices, points, has_moved)
     memory.last_key, memory.last_points = key, points
+    memory.last_planes = _values_of(entries)
     return is_changed
+
+
+def _values_of(entries):
+    """Equal where the planes of entries by number are the same."""
+    return {number: (*entry.normal, entry.offset) for number, entry in entries.items()}
 
 
 def _restore(obj, flat, entries, indices, points, has_moved):
@@ -165,8 +171,8 @@ def _planes_that_follow(flat, known, indices, points, has_moved):
             continue
         own, plane = _own(flat, number, indices), known[number].copy()
         places = points[own]
-        if _lie_in(places, plane):
-            continue
+        if _lie_in(places, plane) or (has_moved is not None and not has_moved[own].any()):
+            continue  # it is the plane that is another, if they do not
         heights = planes.heights(places, plane)
         if np.ptp(heights) <= planes.tolerance(places):
             plane[3] += np.median(heights)

@@ -32,6 +32,8 @@ HEIGHT = 0.05
 # Over the hull's size: a curvature that is none.
 STRAIGHT = 1e-3
 
+# Of what no plane cuts.
+_ALL = lines.Cut(())
 # Of the hull's size: the distance of teeth that is not given.
 _STEP = 1.0 / 200.0
 
@@ -39,65 +41,10 @@ _STEP = 1.0 / 200.0
 @dataclass(frozen=True, eq=False)
 class Judged:
     """hull_native.CurveFairness of the section by a lines.Cut, or of knuckles and borders: then
-    `cut` is None. straight: a curvature in 1/m that is none."""
+    `cut` is None."""
 
     cut: object
     curves: list
-    straight: float
-
-    @cached_property
-    def comb(self):
-        """(points (n, 3) in m, curvature vectors (n, 3) in 1/m, pairs (m, 2) of points that follow
-        one another), of all that the cut wants to know."""
-        points, bends, pairs, count = [np.empty((0, 3))], [np.empty((0, 3))], [], 0
-        for curve in self.curves:
-            own, own_bends = curve.points, curve.curvature_vectors
-            follows = np.ones(len(own), dtype=bool)
-            follows[curve.starts[1:] - 1] = False  # knuckles break the line
-            if self._wants_all:
-                firsts = np.flatnonzero(follows[:-1]) + count
-                pairs.append(np.column_stack([firsts, firsts + 1]))
-            else:
-                kept = lines.kept_by(self.cut, own)
-                firsts = np.flatnonzero(follows[:-1] & kept[:-1] & kept[1:])
-                numbers = np.cumsum(kept) - 1 + count
-                pairs.append(np.column_stack([numbers[firsts], numbers[firsts + 1]]))
-                own, own_bends = own[kept], own_bends[kept]
-            points.append(self._flipped(own))
-            bends.append(self._flipped(own_bends))
-            count += len(own)
-        pairs.append(np.empty((0, 2), dtype=np.int64))
-        return np.concatenate(points), np.concatenate(bends), np.concatenate(pairs)
-
-    @property
-    def _wants_all(self):
-        return self.cut is None or not self.cut.side
-
-    @cached_property
-    def marks(self):
-        """Points (n, 3) in m by MARKS."""
-        found = {name: [np.empty((0, 3))] for name in MARKS}
-        for curve in self.curves:
-            marks = curve.marks
-            if not len(marks):
-                continue
-            points = marks.points
-            kept, points = self._kept(points), self._flipped(points)
-            is_inflection = np.array(marks.kinds) == "inflection"
-            # What is straight to rounding bends to neither side.
-            peaks = marks.peaks & (np.abs(marks.values) > self.straight)
-            found["inflection"].append(points[kept & is_inflection])
-            found["maximum"].append(points[kept & ~is_inflection & peaks])
-            found["minimum"].append(points[kept & ~is_inflection & ~peaks])
-        return {name: np.concatenate(parts) for name, parts in found.items()}
-
-    def _kept(self, points):
-        return (
-            np.ones(len(points), dtype=bool) if self._wants_all else lines.kept_by(self.cut, points)
-        )
-
-    def _flipped(self, values):
-        return values if self.cut is None else lines.flipped(self.cut, values)
 
 
 @dataclass(frozen=True, eq=False)
@@ -117,17 +64,18 @@ class CombGroup:
 
     @cached_property
     def curves(self):
-        return [curve for section in self.sections for curve in section.curves]
+        return _curves_of(self.sections)
+
+    @cached_property
+    def _teeth(self):
+        """(points (n, 3) in m, curvature vectors (n, 3) in 1/m, pairs (m, 2) of points that follow
+        one another), of all that the cuts want to know."""
+        return native.require().comb_arrays(self.curves, **_seen(self.sections))
 
     def comb(self, scale):
         """(points (n, 3), ends of their teeth (n, 3), pairs (m, 2) of ends that a line joins), in
         m; scale in m²."""
-        if not self.sections:
-            return np.empty((0, 3)), np.empty((0, 3)), np.empty((0, 2), dtype=np.int64)
-        combs = [section.comb for section in self.sections]
-        points, bends = (np.concatenate([comb[i] for comb in combs]) for i in (0, 1))
-        firsts = np.cumsum([0, *(len(comb[0]) for comb in combs[:-1])])
-        pairs = np.concatenate([comb[2] + first for comb, first in zip(combs, firsts)])
+        points, bends, pairs = self._teeth
         return points, points - scale * bends, pairs
 
     def segments(self, scale):
@@ -138,17 +86,31 @@ class CombGroup:
     @cached_property
     def marks(self):
         """Points (n, 3) in m by MARKS: inflections, where the curve bends most and least."""
-        found = [section.marks for section in self.sections]
-        return {
-            name: np.concatenate([np.empty((0, 3)), *(marks[name] for marks in found)])
-            for name in MARKS
-        }
+        return self._marks_of(self.sections)
 
     @cached_property
     def mark_counts(self):
         """How many there are of each of MARKS, those of the other side's images left out."""
-        own = [one.marks for one in self.sections if one.cut is None or not one.cut.is_image]
-        return {name: sum(len(marks[name]) for marks in own) for name in MARKS}
+        own = [one for one in self.sections if one.cut is None or not one.cut.is_image]
+        marks = self.marks if len(own) == len(self.sections) else self._marks_of(own)
+        return {name: len(points) for name, points in marks.items()}
+
+    def _marks_of(self, sections):
+        found = native.require().comb_marks(
+            _curves_of(sections), straight=self.rules["noise"], **_seen(sections)
+        )
+        return dict(zip(MARKS, found))
+
+
+def _curves_of(sections):
+    return [curve for section in sections for curve in section.curves]
+
+
+def _seen(sections):
+    """What comb_arrays is told of the curves of Judged: which of their points are wanted, and
+    whether they stand for their mirror images."""
+    cuts = [section.cut or _ALL for section in sections for _ in section.curves]
+    return {"sides": [cut.side for cut in cuts], "flips": [cut.flip for cut in cuts]}
 
 
 def combs(known, surface, settings, moved, metres_per_unit, shown=()):
@@ -222,11 +184,11 @@ def _judged(surface, kind, cuts, rules, before, moved, cut_already):
                 sections=[cut_already[cut] for cut in own] if sections else None,
                 **rules,
             )
-            judged.update((cut, Judged(cut, one, rules["noise"])) for cut, one in zip(own, found))
+            judged.update((cut, Judged(cut, one)) for cut, one in zip(own, found))
     sections = [judged[cut] for cut in cuts]
     if kind == "feature":
         found = hull_native.feature_fairness(surface, step=rules["step"], noise=rules["noise"])
-        sections.append(Judged(None, found, rules["noise"]))
+        sections.append(Judged(None, found))
     return tuple(sections)
 
 

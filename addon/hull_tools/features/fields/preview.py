@@ -55,7 +55,8 @@ def of_hull(obj):
 
 def begin(obj, scene):
     """Shows the hull as its fields make it from now on, as they are changed."""
-    hull_state.up_to_date(obj, scene)
+    # What holds points may have been changed by settings: then they are not there yet.
+    hull_state.follow_edit(obj, scene, is_by_hand=False).checked()
     other = _also_previewed(obj)
     if other is not None:
         raise ValueError(_SHARED.format(other.name))
