@@ -2,9 +2,10 @@
 """Keeping flat what is to be flat, while its points are moved.
 
 `keep` is called before a hull's mesh is read. Points that left the plane of their region go back to
-the nearest place in it, those of two regions to the nearest in both, and so do all where the plane is
-set to another one. A region that moved as a whole and is plane still takes its plane along. A change of the mesh's faces moves no point: faces that
-lie elsewhere then, as those that were extruded from a region, are not of the region any longer.
+the nearest place in it, those of two regions to the nearest in both, and so do all of a region
+whose plane was set to another one. A region that moved as a whole and is plane still takes its
+plane along. A change of the mesh's faces moves no point: faces that lie elsewhere then, as those
+that were extruded from a region, are not of the region any longer.
 """
 
 import numpy as np
