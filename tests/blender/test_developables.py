@@ -107,6 +107,31 @@ def test_made_and_kept_while_a_point_is_dragged(near, shift):
     assert worst(hull) <= 1.5 * 1.001
 
 
+def test_points_with_other_numbers_have_not_moved_and_the_next_move_is_answered():
+    hull, _ = edited_boat()
+    assert bpy.ops.hull.make_developable(warp=1.5, distance=0.1) == {"FINISHED"}
+    bpy.context.view_layer.update()
+    before = mesh_points(hull)
+    bpy.ops.mesh.select_all(action="SELECT")
+    bpy.ops.mesh.sort_elements(type="REVERSE", elements={"VERT"})
+    bpy.context.view_layer.update()
+    np.testing.assert_array_equal(mesh_points(hull), before[::-1])
+    (region,) = regions(hull)
+    row, ids = row_of(hull, region)
+    own = ids[row.points]
+    after = mesh_points(hull)
+    index = int(own[np.linalg.norm(after[own] - (9.49, 1.02, 0.86), axis=1).argmin()])
+    bm = bmesh.from_edit_mesh(hull.data)
+    bm.verts.ensure_lookup_table()
+    bm.verts[index].co.z += 0.02
+    bmesh.update_edit_mesh(hull.data)
+    bpy.context.view_layer.update()
+    there = mesh_points(hull)
+    others = np.setdiff1d(own, [index])
+    assert (there[others] != after[others]).any()
+    assert worst(hull) <= 1.5 * 1.001
+
+
 def drawn_rulings(hull):
     """{colour's name: segments (k, 2, 2)} of what the switch of rulings adds to the picture of a
     hull, seen along z at a twentieth of its size."""

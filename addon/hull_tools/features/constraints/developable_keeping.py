@@ -25,9 +25,9 @@ _BEYOND = (
 
 @dataclass
 class Memory:
-    """What was seen of one hull last: key of its topology; points (n, 3) of its control mesh in
-    Blender's units as they were, and origins (n, 3), where they were put; rows: the RuledRow of
-    faces, by their bytes. told: a sentence for the user, in a list, or nothing."""
+    """What was seen of one hull last: key of its topology; points (n, 3) of its mesh as they were,
+    and origins (n, 3), where they were put; rows: the RuledRow of faces, by their bytes. told: a
+    sentence for the user, in a list, or nothing."""
 
     key: object = None
     points: object = None
@@ -36,42 +36,45 @@ class Memory:
     told: list = field(default_factory=list)
 
 
-def kept(obj, data, memory, before, is_by_hand):
+    def remember(self, points):
+        """They are where they were put."""
+        self.points, self.origins = points, points.copy()
+
+
+def kept(obj, found, memory, before, is_by_hand):
     """The MeshData of a hull with its regions' points where they are to be, in Blender's mesh too.
 
-    before: the LiveShip of the hull as it was.
+    found: its hull_mesh.HullMesh as it is; before: the LiveShip of the hull as it was.
     """
     memory.told = []
-    found = [region for region in developables.regions(obj) if region.kept]
-    if not found or before.surface is None:
+    data, regions = found.data, [one for one in developables.regions(obj) if one.kept]
+    if not regions:
         memory.key = None
         return data
-    ids = before.source.control.vertex_ids
-    key = (before.topology_key, len(data.points))
-    if ids[-1] >= len(data.points):
-        memory.key = None
-        return data
-    points = np.array(data.points[ids], dtype=np.float64)
-    if key != memory.key:
+    points = data.points.astype(np.float64)
+    if memory.key != found.topology_key:
+        # Points that have other numbers now have not moved.
+        memory.key = found.topology_key
         memory.rows.clear()
-        memory.key, memory.points, memory.origins = key, points, points.copy()
+        memory.remember(points)
         return data
     moved = (points != memory.points).any(axis=1)
     if not moved.any():
         return data
-    if not is_by_hand:
-        memory.points, memory.origins = points, points.copy()
+    has_surface = before.surface is not None and before.topology_key == found.topology_key
+    if not (is_by_hand and has_surface):
+        memory.remember(points)
         return data
     memory.origins[moved] = points[moved]
-    there = _developed(obj, found, memory, before, points, moved)
-    changed = np.flatnonzero((there != points).any(axis=1))
+    ids = before.source.control.vertex_ids
+    there = points.copy()
+    there[ids] = _developed(obj, regions, memory, before, points[ids], moved[ids])
     memory.points = there
+    changed = np.flatnonzero((there != points).any(axis=1))
     if not len(changed):
         return data
-    mesh_points.write(obj.data, ids[changed], there[changed])
-    every = data.points.copy()
-    every[ids[changed]] = there[changed]
-    return dataclasses.replace(data, points=every)
+    mesh_points.write(obj.data, changed, there[changed])
+    return dataclasses.replace(data, points=there.astype(data.points.dtype))
 
 
 def _developed(obj, found, memory, before, points, moved):
@@ -92,7 +95,7 @@ def _developed(obj, found, memory, before, points, moved):
                 locked=np.union1d(locked, np.flatnonzero(moved)),
                 held_points=held[0],
                 held_normals=held[1],
-                points=memory.origins,
+                points=memory.origins[control.vertex_ids],
             )
         except ValueError as error:
             memory.told = [str(error)]

@@ -64,7 +64,7 @@ class Keeping:
             found = found.with_points(kept)
             self.planes.points = kept.points
         held += self.ties.told
-        kept = developable_keeping.kept(obj, found.data, self.regions, before, is_by_hand)
+        kept = developable_keeping.kept(obj, found, self.regions, before, is_by_hand)
         if kept is not found.data:
             found = found.with_points(kept)
             self.planes.points = kept.points
