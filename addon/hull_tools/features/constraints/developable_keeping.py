@@ -35,7 +35,6 @@ class Memory:
     rows: dict = field(default_factory=dict)
     told: list = field(default_factory=list)
 
-
     def remember(self, points):
         """They are where they were put."""
         self.points, self.origins = points, points.copy()
