@@ -193,6 +193,10 @@ def test_nonsense_is_refused():
     for points in ("", "1 2; 3", "0 0; 1 x; 2 0", "0 0; 1 1"):
         with pytest.raises(RuntimeError, match="Points"):
             bpy.ops.hull.drag_area_curve(points=points)
+    for points in ("0 0; 2 1; 1 0", "0 0; nan 1; 2 0", "0 0; 1 inf; 2 0"):
+        with pytest.raises(RuntimeError, match="in order|is no number|Points"):
+            bpy.ops.hull.drag_area_curve(points=points)
+    assert not hull.hull.area_target.area_points
     for name in ("transform_to_area_curve", "scale_area_curve", "clear_area_curve"):
         with pytest.raises(RuntimeError):
             getattr(bpy.ops.hull, name)()

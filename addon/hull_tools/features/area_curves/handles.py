@@ -163,11 +163,12 @@ def text_of(obj):
 
 
 def write_text(obj, text):
-    """Makes the handles those of such a text; ValueError where it is none."""
+    """Makes the handles those of such a text; ValueError where it is none, or they are no curve."""
     found = [numbers(part, "Points") for part in text.split(";")]
     if len(found) < 3 or any(len(pair) != 2 for pair in found):
         raise ValueError("Points: give x and area of three or more, as in 0 0; 40 70; 80 0")
-    limits.at_most(len(found), "points of the target curve", limits.MOST_AREA_HANDLES)
+    base, _ = stored.numbers(obj)
+    stored.curve_of(base, np.array(found, dtype=np.float32), 1.0)
     stored.write_handles(obj, found)
 
 
