@@ -69,7 +69,7 @@ class HULL_OT_export_view(bpy.types.Operator, ExportWithNumbers):
             return view_files.View(axes)
         matrix = np.array(shown.view_matrix @ hull.matrix_world)
         axes = matrix[:3, :3] / np.linalg.norm(matrix[:3, :3], axis=1)[:, None]
-        if shown.view_perspective == "ORTHO":
+        if not shown.is_perspective:
             return view_files.View(axes)
         middle = np.array(hull.bound_box).mean(axis=0)
         away = -(matrix[:3, :3] @ middle + matrix[:3, 3])[2]

@@ -7,7 +7,6 @@ from dataclasses import dataclass
 import numpy as np
 
 from ....hull_io.number_lists import numbers
-from ...bridge import limits
 from ...bridge.blender import units
 from ..analyses import live_analyses
 from ..curves_of_form import beside, sectional_areas

@@ -36,10 +36,11 @@ def make_curves(obj, surface, groups, metres_per_unit, as_splines):
     many curves there are.
     """
     radius = _LINE_RADIUS * lines.size_of(surface)
+    # All of them first: where one cannot be had the curves that there are stay.
+    found = [(group, chains_of(surface, group, as_splines)) for group in groups]
     collection = _emptied_collection(obj)
     count = 0
-    for group in groups:
-        chains = chains_of(surface, group, as_splines)
+    for group, chains in found:
         if not chains:
             continue
         name = f"{obj.name} {LAYER_NAMES[group.kind]}"
