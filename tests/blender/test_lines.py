@@ -89,7 +89,9 @@ def test_what_is_off_is_not_computed(switch, monkeypatch):
     hull, lines = lined_hull(), part("features.lines.lines")
     cuts_asked, curves = [], lines._curves
     monkeypatch.setattr(
-        lines, "_curves", lambda surface, cuts: cuts_asked.append(cuts) or curves(surface, cuts)
+        lines,
+        "_curves",
+        lambda surface, cuts, moved: cuts_asked.append(cuts) or curves(surface, cuts, moved),
     )
     other = lines._other_curves
 
