@@ -37,8 +37,8 @@ cp "$root"/house/checkout/build/package/*-extension.zip "$plain/house/checkout/b
 # shellcheck disable=SC2016 # expanded in the chroot
 in_root "$plain" sh -c 'cd /house/checkout && blender --command extension validate build/package/*-extension.zip'
 # The long random run is the other Blender's, here a part of it; so are long tests of the module's computing, and of tests
-# with many cases one in three is tried here. HULL_ALL_IN_BLENDER=1 leaves none out.
-if [ "${HULL_ALL_IN_BLENDER:-0}" = 1 ]; then tried='' one_in=1; else tried='not once' one_in=3; fi
+# with many cases one in five is tried here. HULL_ALL_IN_BLENDER=1 leaves none out.
+if [ "${HULL_ALL_IN_BLENDER:-0}" = 1 ]; then tried='' one_in=1; else tried='not once' one_in=5; fi
 # shellcheck disable=SC2016 # expanded in the chroot
 in_root "$plain" env HULL_FOREIGN_STEPS="${HULL_FOREIGN_STEPS:-250}" HULL_FOREIGN_SEED="${HULL_FOREIGN_SEED:-20261122}" \
     HULL_ONE_CASE_IN="$one_in" \
