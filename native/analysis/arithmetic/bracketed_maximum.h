@@ -9,7 +9,7 @@ struct Maximum {
   double place, value;
 };
 
-inline constexpr double kGolden = 0.3819660112501051;
+inline constexpr double kGoldenSection = 0.3819660112501051;
 
 // What Brent's search knows of a function: the best place so far, the second best and the one
 // before that.
@@ -36,7 +36,7 @@ Maximum maximum_from(const Function& f, double a, double b, double width, BestPl
     const bool helps =
         std::abs(p) < std::abs(0.5 * q * before_last) && p > q * (a - x) && p < q * (b - x);
     before_last = helps ? step : (x < middle ? b - x : a - x);
-    step = helps ? p / q : kGolden * before_last;
+    step = helps ? p / q : kGoldenSection * before_last;
     if (helps && (x + step - a < width || b - x - step < width)) {
       step = x < middle ? 0.5 * width : -0.5 * width;
     }
@@ -71,7 +71,7 @@ Maximum maximum_from(const Function& f, double a, double b, double width, BestPl
 // maximum it is that; it may be an end, but for `width`. REQUIRES: a < b, width > 0.
 template <class Function>
 Maximum bracketed_maximum(const Function& f, double a, double b, double width) {
-  const double x = a + kGolden * (b - a), fx = f(x);
+  const double x = a + kGoldenSection * (b - a), fx = f(x);
   return maximum_from(f, a, b, width, {x, fx, x, fx, x, fx}, 0.0);
 }
 

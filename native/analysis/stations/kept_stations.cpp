@@ -55,7 +55,7 @@ SectionArea KeptStations::station(const StationCutter& cutter, double position,
   }
   const surface::LimitSurface& surface = body_->surface();
   const SectionFrame frame = SectionFrame::above_water({Vector3d::UnitX(), position}, water);
-  const ArcSearch search(surface, frame, 0.0);
+  const ArcReach search(surface, frame, 0.0);
   KeptCells now{surface.revision(), {}};
   SectionIntegrals sum;
   auto known = kept.cells.begin();

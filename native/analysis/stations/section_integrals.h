@@ -59,8 +59,8 @@ void add_arcs(const ArcSquare& square, double level, const ArcRule& rule, Sectio
 void add_line(double a0, double b0, double a1, double b1, double level, SectionIntegrals& sum);
 
 // What of a plane's section is looked at: pieces that may reach below b = level.
-struct ArcSearch {
-  ArcSearch(const surface::LimitSurface& surface, const SectionFrame& frame, double level)
+struct ArcReach {
+  ArcReach(const surface::LimitSurface& surface, const SectionFrame& frame, double level)
       : surface(surface), frame(frame), level(level), top(level + frame.up.dot(frame.origin)) {}
 
   // Whether a cell's box leaves room for such.
@@ -82,13 +82,13 @@ struct ArcPiece {
   BezierNet h;  // heights of rounding size are zero
 };
 template <class Visit>
-void for_each_arc_piece_in(const ArcSearch& search, int cell, const Visit& visit);
+void for_each_arc_piece_in(const ArcReach& search, int cell, const Visit& visit);
 
 // The same for all cells.
 template <class Visit>
 void for_each_arc_piece(const surface::LimitSurface& surface, const CellBoxes& boxes,
                         const SectionFrame& frame, double level, const Visit& visit) {
-  const ArcSearch search(surface, frame, level);
+  const ArcReach search(surface, frame, level);
   for (int cell = 0; cell < surface.cell_count(); ++cell) {
     if (search.may_reach(boxes, cell)) for_each_arc_piece_in(search, cell, visit);
   }
@@ -97,7 +97,7 @@ void for_each_arc_piece(const surface::LimitSurface& surface, const CellBoxes& b
 // Calls visit(const ArcSquare&) for all squares of a cell that the section crosses and that reach
 // below b = level. What lies in the plane counts as above it.
 template <class Visit>
-void for_each_arc_in(const ArcSearch& search, int cell, int deepest, const Visit& visit);
+void for_each_arc_in(const ArcReach& search, int cell, int deepest, const Visit& visit);
 
 namespace section_internal {
 
@@ -116,7 +116,7 @@ inline bool reaches(const Vector3d* begin, const Vector3d* end, const SectionFra
 }  // namespace section_internal
 
 template <class Visit>
-void for_each_arc_piece_in(const ArcSearch& search, int cell, const Visit& visit) {
+void for_each_arc_piece_in(const ArcReach& search, int cell, const Visit& visit) {
   using namespace section_internal;
   const SectionFrame& frame = search.frame;
   const double size = search.surface.mesh().size();
@@ -166,7 +166,7 @@ void for_each_arc_of(const ArcPiece& piece, const SectionFrame& frame, double le
 }
 
 template <class Visit>
-void for_each_arc_in(const ArcSearch& search, int cell, int deepest, const Visit& visit) {
+void for_each_arc_in(const ArcReach& search, int cell, int deepest, const Visit& visit) {
   for_each_arc_piece_in(search, cell, [&](const ArcPiece& piece) {
     for_each_arc_of(piece, search.frame, search.level, visit, deepest);
   });

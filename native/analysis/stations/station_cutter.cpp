@@ -89,7 +89,7 @@ SectionOutline::SectionOutline(const surface::LimitSurface& surface, const CellB
                                const SectionFrame& frame, std::vector<ClosingLine> closing,
                                double highest_level, const ArcRule& rule)
     : rule_(rule), closing_(std::move(closing)) {
-  const ArcSearch search(surface, frame, highest_level);
+  const ArcReach search(surface, frame, highest_level);
   for (int cell = 0; cell < surface.cell_count(); ++cell) {
     if (!search.may_reach(boxes, cell)) continue;
     for_each_arc_in(search, cell, rule.deepest,
