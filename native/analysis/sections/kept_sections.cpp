@@ -1,16 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/sections/kept_sections.h"
 
-#include <set>
-
 #include "analysis/sections/section_curves.h"
 #include "surface/parallel_for.h"
 
 namespace hull::analysis {
 namespace {
-
-// More planes than a ship's lines have: those of before are forgotten, as of lines that were moved.
-constexpr std::size_t kMostPlanes = 1000;
 
 // Appends points, arcs and spots of other parts.
 void append(const SectionParts& from, const std::array<int, 3>& begin,
@@ -37,18 +32,14 @@ std::vector<std::vector<SectionCurve>> KeptSections::sections(const std::vector<
                                                               const SectionOptions& options) {
   check_planes(planes);
   const SectionRules rules = section_rules(*surface_, options);
-  if (rules_ != rules || kept_.size() > kMostPlanes) kept_.clear();
+  if (rules_ != rules) kept_.clear();
   rules_ = rules;
   boxes_.update(*surface_);
-  std::vector<KeptParts*> kept(planes.size());
-  std::vector<KeptParts> of_repeated;  // two threads must not write the same
-  of_repeated.reserve(planes.size());
-  std::set<KeptParts*> taken;
-  for (std::size_t i = 0; i < planes.size(); ++i) {
-    const Vector3d& n = planes[i].normal;
-    kept[i] = &kept_[{n.x(), n.y(), n.z(), planes[i].offset}];
-    if (!taken.insert(kept[i]).second) kept[i] = &of_repeated.emplace_back();
+  std::vector<PlaneKey> keys;
+  for (const Plane& plane : planes) {
+    keys.push_back({plane.normal.x(), plane.normal.y(), plane.normal.z(), plane.offset});
   }
+  const std::vector<KeptParts*> kept = kept_.of(keys);
   std::vector<std::vector<SectionCurve>> result(planes.size());
   surface::parallel_for(
       planes.size(), surface::kAllProcessors,
@@ -64,12 +55,11 @@ std::vector<SectionCurve> KeptSections::cut(const Plane& plane, CellCutter& cutt
                                             KeptParts& kept) const {
   KeptParts now{surface_->revision(), {}, {}};
   PlaneSides sides(*surface_, plane);
-  std::array<int, 3> begin{};
+  std::array<int, 3> begin{}, last{};
   auto next = kept.cells.begin();
   for (int cell = 0; cell < surface_->cell_count(); ++cell) {
     const bool had_parts = next != kept.cells.end() && next->cell == cell;
-    const std::array<int, 3> end =
-        had_parts ? std::array{next->points, next->arcs, next->spots} : begin;
+    const std::array<int, 3> end = had_parts ? next->ends : begin;
     if (surface_->moved_at(cell) > kept.revision) {
       if (cutter.may_have_part(boxes_, cell, plane)) {
         cutter.add_parts(cell, plane, sides, now.parts);
@@ -79,11 +69,9 @@ std::vector<SectionCurve> KeptSections::cut(const Plane& plane, CellCutter& cutt
     }
     if (had_parts) ++next;
     begin = end;
-    const auto [points, arcs, spots] = counts(now.parts);
-    const CellEnds last = now.cells.empty() ? CellEnds{-1, 0, 0, 0} : now.cells.back();
-    if (points > last.points || arcs > last.arcs || spots > last.spots) {
-      now.cells.push_back({cell, points, arcs, spots});
-    }
+    const std::array<int, 3> so_far = counts(now.parts);
+    if (so_far != last) now.cells.push_back({cell, so_far});
+    last = so_far;
   }
   const bool keeps = sides.empty();
   if (!keeps) sides.add_arcs(rules_->chord, now.parts);

@@ -2,12 +2,12 @@
 #pragma once
 
 #include <array>
-#include <map>
 #include <optional>
 #include <vector>
 
 #include "analysis/sections/cell_boxes.h"
 #include "analysis/sections/cell_cutter.h"
+#include "analysis/sections/kept_entries.h"
 #include "analysis/sections/section_point.h"
 #include "analysis/sections/sections.h"
 
@@ -30,9 +30,10 @@ class KeptSections {
   std::size_t plane_count() const { return kept_.size(); }
 
  private:
-  // The parts of one cell end before these numbers.
+  // The points, arcs and spots of one cell end before these numbers.
   struct CellEnds {
-    int cell, points, arcs, spots;
+    int cell;
+    std::array<int, 3> ends;
   };
   struct KeptParts {
     int revision = -1;  // of the surface that they were cut of: cells that moved later are not
@@ -45,7 +46,8 @@ class KeptSections {
   const surface::LimitSurface* surface_;
   CellBoxes boxes_;
   std::optional<SectionRules> rules_;
-  std::map<PlaneKey, KeptParts> kept_;
+  // More planes than a ship's lines have: forgotten are those of lines that were moved.
+  KeptEntries<PlaneKey, KeptParts> kept_{1000};
 };
 
 }  // namespace hull::analysis

@@ -1,17 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/stations/kept_stations.h"
 
-#include <set>
-
 #include "surface/parallel_for.h"
 
 namespace hull::analysis {
-namespace {
-
-// More than a curve of sectional areas has: those of before are forgotten, as of ends that moved.
-constexpr std::size_t kMostStations = 2000;
-
-}  // namespace
 
 bool KeptStations::Conditions::operator==(const Conditions& other) const {
   return water.normal == other.water.normal && water.offset == other.water.offset &&
@@ -23,16 +15,9 @@ std::vector<SectionArea> KeptStations::section_areas(const std::vector<double>& 
   check_stations(*body_, positions, water);
   const StationCutter cutter(*body_);
   const Conditions now{water, cutter.rule(), body_->surface().mesh().size()};
-  if (!conditions_ || !(*conditions_ == now) || kept_.size() > kMostStations) kept_.clear();
+  if (!conditions_ || !(*conditions_ == now)) kept_.clear();
   conditions_ = now;
-  std::vector<KeptCells*> kept(positions.size());
-  std::vector<KeptCells> of_repeated;  // two threads must not write the same
-  of_repeated.reserve(positions.size());
-  std::set<KeptCells*> taken;
-  for (std::size_t i = 0; i < positions.size(); ++i) {
-    kept[i] = &kept_[positions[i]];
-    if (!taken.insert(kept[i]).second) kept[i] = &of_repeated.emplace_back();
-  }
+  const std::vector<KeptCells*> kept = kept_.of(positions);
   std::vector<SectionArea> areas(positions.size());
   surface::parallel_for(
       positions.size(), surface::kAllProcessors,

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <map>
 #include <optional>
 #include <utility>
 #include <vector>
 
+#include "analysis/sections/kept_entries.h"
 #include "analysis/stations/section_areas.h"
 #include "analysis/stations/station_cutter.h"
 
@@ -42,7 +42,8 @@ class KeptStations {
 
   const HullBody* body_;
   std::optional<Conditions> conditions_;
-  std::map<double, KeptCells> kept_;
+  // More than a curve of sectional areas has: forgotten are those of ends that were moved.
+  KeptEntries<double, KeptCells> kept_{2000};
 };
 
 }  // namespace hull::analysis
