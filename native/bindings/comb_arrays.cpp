@@ -32,9 +32,9 @@ std::vector<SeenCurve> seen_curves(const py::list& curves, const std::vector<int
   }
   std::vector<SeenCurve> seen;
   for (std::size_t i = 0; i < curves.size(); ++i) {
-    const auto& curve = cast_or_refuse<const analysis::CurveFairness&>(
-        curves[i], "curves must be a list of CurveFairness.");
-    seen.push_back({&curve, sides[i], flips[i]});
+    seen.push_back({&cast_or_refuse<const analysis::CurveFairness&>(
+                        curves[i], "curves must be a list of CurveFairness."),
+                    sides[i], flips[i]});
   }
   return seen;
 }
