@@ -143,3 +143,23 @@ def test_a_hull_scaled_to_nothing_has_no_place_for_the_cursor(tmp_path):
     hull.scale.y = 1.0
     bpy.context.view_layer.update()
     assert part("bridge.objects.hull_objects").from_world(hull) == Matrix()
+
+
+def test_a_file_shows_a_hull_that_was_turned_by_what_is_not_in_it(tmp_path):
+    """Of an object that is in no scene and turns a hull, a file has the turn alone."""
+    hull = add_hull()
+    target = bpy.data.objects.new("target", None)
+    bpy.context.collection.objects.link(target)
+    target.location = (3.0, 40.0, 7.0)
+    hull.constraints.new("TRACK_TO").target = target
+    bpy.context.view_layer.update()
+    bpy.context.collection.objects.unlink(target)
+    bpy.context.view_layer.update()
+    assert "by a constraint" in state_of(hull).status
+    path = str(tmp_path / "hull.blend")
+    bpy.ops.wm.save_as_mainfile(filepath=path)
+    bpy.ops.wm.open_mainfile(filepath=path)
+    hull = bpy.context.object
+    assert hull.constraints[0].target is None
+    assert state_of(hull).status == ""
+    assert_shows(hull, BOX)

@@ -72,8 +72,20 @@ def _follow_all(is_by_hand=True):
     hulls that are in several scenes, are as it has them."""
     at_hand = bpy.context.scene
     for scene in (*(other for other in bpy.data.scenes if other != at_hand), at_hand):
-        view_layer = bpy.context.view_layer if scene == at_hand else scene.view_layers[0]
-        _follow(hull_objects.hulls(scene.objects), scene, view_layer, is_by_hand)
+        _follow(hull_objects.hulls(scene.objects), scene, _view_layer_of(scene), is_by_hand)
+
+
+def _view_layer_of(scene):
+    """The one at hand, or a scene's first."""
+    return bpy.context.view_layer if scene == bpy.context.scene else scene.view_layers[0]
+
+
+def _place_all():
+    """A file has the places that were computed when it was written; what hulls hang on may not be
+    in it."""
+    for scene in bpy.data.scenes:
+        if hull_objects.hulls(scene.objects):
+            _view_layer_of(scene).update()
 
 
 def _updates_of_objects(depsgraph):
@@ -153,6 +165,7 @@ def before_load(*unused):
 @persistent
 def after_load(*unused):
     forget_all()
+    _place_all()
     begin()
 
 
