@@ -5,6 +5,7 @@ it back."""
 import bpy
 import numpy as np
 from addon_under_test import part, state_of
+from bpy_extras.view3d_utils import location_3d_to_region_2d
 from editing import editing_a_hull, hull_at_hand
 from expect import are_equal, assert_follows, edited_points, snapshot
 from mathutils import Vector
@@ -164,6 +165,75 @@ def test_in_object_mode_and_with_ctrl_on_the_surface(window):
     window.undo()
     yield
     assert are_equal(snapshot(hull_at_hand()), before)
+
+
+def test_each_view_of_four_is_pulled_in(window):
+    """In a quad view the mouse is in one of four pictures."""
+    hull, _ = begin(window, "feature")
+    pull = part("features.modelling.pulling").SurfacePull(hull, bpy.context.scene)
+    # At the bow, where it is in no picture on the outline.
+    grip = pull.nearest((0.9 * max(hull.dimensions), 50.0, 4.0))
+    with window.in_view():
+        bpy.ops.screen.region_quadview()
+    yield
+    views = [region for region in window.area.regions if region.type == "WINDOW"]
+    four = window.space.region_quadviews
+    assert len(views) == len(four) == 4
+    seen = 0
+    for region, view in zip(views, four):
+        dots = location_3d_to_region_2d(region, view, hull.matrix_world @ Vector(grip.point))
+        if not (0 < dots.x < region.width and 0 < dots.y < region.height):
+            continue
+        before = snapshot(hull)
+        start_pulling(window)
+        window.move_to(region.x + dots.x, region.y + dots.y)
+        yield
+        start = held(hull).now
+        again = location_3d_to_region_2d(region, view, hull.matrix_world @ Vector(start))
+        assert (again - dots).length < 2.0
+        window.hold("LEFTMOUSE")
+        window.move_by(8, 8)
+        yield
+        now = location_3d_to_region_2d(region, view, hull.matrix_world @ Vector(held(hull).now))
+        assert (now - again - Vector((8.0, 8.0))).length < 2.0
+        window.press("ESC")
+        window.let_go("LEFTMOUSE")
+        yield
+        assert are_equal(snapshot(hull), before)
+        seen += 1
+    with window.in_view():
+        bpy.ops.screen.region_quadview()
+    assert seen >= 3
+
+
+def test_what_ends_the_pull_leaves_all_as_it_was(window):
+    """Blender ends it itself where another file is loaded, or the window is closed."""
+    ended = []
+    operator_class = part("operators.pull").HULL_OT_pull_surface
+    take_back = operator_class.take_back
+
+    def noted(operator, context):
+        take_back(operator, context)
+        ended.append((operator._pull.obj.name, edited_points(operator._pull.obj)))
+
+    hull, grip = begin(window, "feature")
+    before, name = snapshot(hull), hull.name
+    yield
+    operator_class.take_back = noted
+    start_pulling(window)
+    window.move_to_point(hull, Vector(grip.point))
+    yield
+    window.hold("LEFTMOUSE")
+    window.move_by(40, 40)
+    yield
+    assert not are_equal(snapshot(hull), before)
+    bpy.ops.wm.read_homefile()
+    yield
+    operator_class.take_back = take_back
+    assert [one for one, _ in ended] == [name]
+    assert np.array_equal(ended[0][1], before["points"])
+    window.let_go("LEFTMOUSE")
+    yield
 
 
 def turn(window, key, times):

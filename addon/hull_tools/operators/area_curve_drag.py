@@ -46,21 +46,24 @@ class HULL_OT_drag_area_curve(bpy.types.Operator, ViewDrag, HullOperator):
 
     def modal(self, context, event):
         if event.type in ("ESC", "RIGHTMOUSE") and event.value == "PRESS":
-            self._drag.cancel()
-            if self._is_new:
-                stored.clear(self._drag.obj)
-            self._leave(context)
-            return {"CANCELLED"}
+            return self._give_up(context)
         if event.type in DONE and event.value == "PRESS":
             self._drag.set_frame(None)
             self.points = handles.text_of(self._drag.obj)
             has_changed = self._is_new or self._drag.has_changed
             self._leave(context)
             return {"FINISHED"} if has_changed else {"CANCELLED"}
+        if not self._held.is_dragged:
+            self._take_view(event)
         shown = handles.diagram(self._drag.obj, context.scene, self._area, self._region())
         if shown is not None and self._work(context, event, shown):
             return {"RUNNING_MODAL"}
         return self._rest(event)
+
+    def take_back(self, context):
+        self._drag.cancel()
+        if self._is_new:
+            stored.clear(self._drag.obj)
 
     def _work(self, context, event, shown):
         """Whether the event was one for the plot."""

@@ -43,8 +43,13 @@ class HULL_OT_drag_field(bpy.types.Operator, ViewDrag, FieldOperator):
 
     def begin(self, context):
         hull = hull_objects.hull_of(context.object)
+        self._was_shown = hull.hull.fields.show_fields
         hull.hull.fields.show_fields = True
-        row, _ = handles.at_hand(hull, context.scene)
+        try:
+            row, _ = handles.at_hand(hull, context.scene)
+        except ValueError:
+            hull.hull.fields.show_fields = self._was_shown
+            raise
         self._hull, self._number = hull, hull.hull.fields.active_field
         self._before = _values(row)
         self._held, self._drag, self._axis = handles.held(hull), None, None
@@ -52,11 +57,7 @@ class HULL_OT_drag_field(bpy.types.Operator, ViewDrag, FieldOperator):
 
     def modal(self, context, event):
         if event.type in ("ESC", "RIGHTMOUSE") and event.value == "PRESS":
-            row = self._row()
-            if _values(row) != self._before:
-                row.shift, row.extent = self._before
-            self._leave(context)
-            return {"CANCELLED"}
+            return self._give_up(context)
         if event.type in DONE and event.value == "PRESS":
             return self._finish(context)
         if event.type == "MOUSEMOVE":
@@ -68,6 +69,12 @@ class HULL_OT_drag_field(bpy.types.Operator, ViewDrag, FieldOperator):
             self._axis = None if self._axis == axis else axis
             self._follow_mouse(context, event)
         return self._rest(event)
+
+    def take_back(self, context):
+        row = self._row()
+        if _values(row) != self._before:
+            row.shift, row.extent = self._before
+        self._hull.hull.fields.show_fields = self._was_shown
 
     def _finish(self, context):
         self.shift, self.extent = values = _values(self._row())
@@ -90,6 +97,8 @@ class HULL_OT_drag_field(bpy.types.Operator, ViewDrag, FieldOperator):
         self._tell(context)
 
     def _follow_mouse(self, context, event):
+        if self._drag is None:
+            self._take_view(event)
         eye, mouse = self._eye(), self._mouse(event)
         if self._drag is not None:
             self._drag.move(eye, mouse, self._axis)

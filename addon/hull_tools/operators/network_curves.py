@@ -133,13 +133,12 @@ class HULL_OT_draw_network_curve(bpy.types.Operator, CurveOperator, ViewDrag):
 
     def modal(self, context, event):
         if event.type == "ESC" and event.value == "PRESS":
-            self._leave(context)
-            return {"CANCELLED"}
+            return self._give_up(context)
         if event.type in DONE and event.value == "PRESS":
             return self._done(context)
-        view = self._area.spaces.active.region_3d
         if event.type in ("MOUSEMOVE", "LEFTMOUSE"):
-            self._pen.look(self._region(), view, self._mouse(event))
+            self._take_view(event)
+            self._pen.look(self._region(), self._view(), self._mouse(event))
         if event.type == "LEFTMOUSE" and event.value == "PRESS":
             self._pen.put()
         elif event.type in ("BACK_SPACE", "DEL") and event.value == "PRESS":
@@ -155,6 +154,9 @@ class HULL_OT_draw_network_curve(bpy.types.Operator, CurveOperator, ViewDrag):
         self.points = "; ".join(" ".join(f"{value:.9g}" for value in point) for point in points)
         self.knuckles = " ".join(map(str, knuckles))
         return self.execute(context)
+
+    def take_back(self, context):
+        """Nothing is made before it is done."""
 
     def leave(self, context):
         drawing.end()

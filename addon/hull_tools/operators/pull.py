@@ -116,12 +116,13 @@ class HULL_OT_pull_surface(bpy.types.Operator, ViewDrag, HullOperator):
 
     def modal(self, context, event):
         if event.type in ("ESC", "RIGHTMOUSE") and event.value == "PRESS":
-            self._pull.restore()
-            hull_state.follow_edit(self._pull.obj, context.scene)
-            self._leave(context)
-            return {"CANCELLED"}
+            return self._give_up(context)
         handle = self._pick if self._grip is None else self._drag
         return handle(context, event)
+
+    def take_back(self, context):
+        self._pull.restore()
+        hull_state.follow_edit(self._pull.obj, context.scene)
 
     # Before a point is held
 
@@ -146,6 +147,7 @@ class HULL_OT_pull_surface(bpy.types.Operator, ViewDrag, HullOperator):
         return normal is not None and abs(normal @ self._eye().direction) > _LEAST_SINE
 
     def _under_mouse(self, event):
+        self._take_view(event)
         eye, mouse = self._eye(), self._mouse(event)
         if not (0 <= mouse[0] < eye.size[0] and 0 <= mouse[1] < eye.size[1]):
             return None

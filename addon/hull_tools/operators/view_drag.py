@@ -13,8 +13,9 @@ _OF_THE_VIEW = ("MIDDLEMOUSE", "WHEEL", "NUMPAD", "TRACKPAD", "NDOF", "TIMER", "
 
 
 class ViewDrag:
-    """Subclasses: begin(context), which may refuse with a ValueError; modal(); leave(context),
-    which forgets what they hold. help_text: of the status bar."""
+    """Subclasses: begin(context), which may refuse with a ValueError and has changed nothing then;
+    modal(); take_back(context), which makes all as it was before; leave(context), which forgets
+    what they hold. help_text: of the status bar."""
 
     help_text = ""
 
@@ -25,7 +26,7 @@ class ViewDrag:
 
     def _begin(self, context):
         self.begin(context)
-        self._area = context.area
+        self._area, self._view_number = context.area, 0
         context.window.cursor_modal_set("CROSSHAIR")
         context.workspace.status_text_set(self.help_text)
         context.window_manager.modal_handler_add(self)
@@ -34,7 +35,13 @@ class ViewDrag:
 
     def cancel(self, context):
         """Blender ends the operator, as when another file is loaded."""
+        self._give_up(context)
+
+    def _give_up(self, context):
+        """What modal() returns once all is as it was before."""
+        self.take_back(context)
         self._leave(context)
+        return {"CANCELLED"}
 
     def _leave(self, context):
         self.leave(context)
@@ -53,8 +60,25 @@ class ViewDrag:
         is_of_view = event.type.startswith(_OF_THE_VIEW)
         return {"PASS_THROUGH"} if is_of_view else {"RUNNING_MODAL"}
 
+    def _windows(self):
+        """The area's regions that show the model: four of them in a quad view."""
+        return [region for region in self._area.regions if region.type == "WINDOW"]
+
+    def _take_view(self, event):
+        """From now on the view is the one below the mouse, or the last one that was."""
+        for number, region in enumerate(self._windows()):
+            x, y = event.mouse_x - region.x, event.mouse_y - region.y
+            if 0 <= x < region.width and 0 <= y < region.height:
+                self._view_number = number
+
     def _region(self):
-        return next(region for region in self._area.regions if region.type == "WINDOW")
+        return self._windows()[self._view_number]
+
+    def _view(self):
+        """Its RegionView3D. Those of a quad view are listed in the order of their regions."""
+        space = self._area.spaces.active
+        four = space.region_quadviews
+        return four[self._view_number] if len(four) else space.region_3d
 
     def _mouse(self, event):
         """(2,) in the region, pixels."""
@@ -63,5 +87,4 @@ class ViewDrag:
 
     def _eye_on(self, hull, scene):
         """The pull_lines.Eye of the view on a hull."""
-        view = self._area.spaces.active.region_3d
-        return pull_lines.eye_of(hull, units.metres_per_unit(scene), view, self._region())
+        return pull_lines.eye_of(hull, units.metres_per_unit(scene), self._view(), self._region())
