@@ -110,6 +110,14 @@ def test_names_that_no_file_can_have(kind, ending, prepared, tmp_path):
         assert not list(tmp_path.iterdir())
 
 
+@short_cases
+def test_no_name(kind, ending, prepared, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    for path in ("", f"{tmp_path}{os.sep}"):
+        assert "name" in refused(kind, path)
+        assert not list(tmp_path.iterdir())
+
+
 @cases
 def test_the_longest_name(kind, ending, prepared, tmp_path):
     between = EXPORTS[kind][2] or ("-areas" if kind == "series_table" else "")

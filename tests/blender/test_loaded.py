@@ -226,3 +226,26 @@ def test_wind_and_lateral_areas_of_the_box(box):
     header, rows = module.header(result), list(module.rows(result))
     column = header.index("wind area [m2]")
     assert [row[column] for row in rows] == pytest.approx([10 * (3 - row[0]) for row in rows])
+
+
+def test_new_entries_have_names_of_their_own(box):
+    """A case is loaded by its name."""
+    for add, remove, entries in (
+        ("add_load_case", "remove_load_case", box.hull.loading.load_cases),
+        ("add_downflooding_point", "remove_downflooding_point",
+         box.hull.loading.downflooding_points),
+        ("add_wind_area", "remove_wind_area", box.hull.wind.areas),
+        ("add_weight", "remove_weight", box.hull.weights.items),
+    ):  # fmt: skip
+        for _ in range(3):
+            getattr(bpy.ops.hull, add)()
+        before = [entry.name for entry in entries]
+        settings = box.hull.loading if "load" in add or "down" in add else None
+        settings = settings or (box.hull.wind if "wind" in add else box.hull.weights)
+        for name in ("active_load_case", "active_downflooding_point", "active_area", "active_item"):
+            if hasattr(settings, name):
+                setattr(settings, name, 0)
+        getattr(bpy.ops.hull, remove)()
+        getattr(bpy.ops.hull, add)()
+        names = [entry.name for entry in entries]
+        assert names[:2] == before[1:] and len(set(names)) == 3, names

@@ -265,3 +265,27 @@ def test_where_one_curve_cannot_be_smoothed_none_is():
     with pytest.raises(RuntimeError, match="fewer than 5 points"):
         bpy.ops.hull.smooth_network_curve(deviation_mm=100.0)
     assert np.array_equal(points_of(wavy), before)
+
+
+def test_what_cannot_be_taken_makes_no_network():
+    data = bpy.data.curves.new("point", "CURVE")
+    data.splines.new("POLY")
+    alone = bpy.data.objects.new("point", data)
+    bpy.context.collection.objects.link(alone)
+    make_active(alone)
+    before = set(bpy.data.collections)
+    with pytest.raises(RuntimeError, match="no line of two points"):
+        bpy.ops.hull.curves_to_network()
+    assert set(bpy.data.collections) == before and alone.name in bpy.data.objects
+
+
+def test_another_kind_is_placed_at_the_cursor_once_more():
+    """As when a curve is added anew as another kind, with what was filled in meanwhile."""
+    new_network()
+    bpy.context.scene.cursor.location = (6.0, 1.5, 2.0)
+    filled = {"position": 6.0, "placed_as": "STATION"}
+    for kind, position, more in (
+        ("STATION", 6.0, {}), ("WATERLINE", 2.0, filled), ("BUTTOCK", 1.5, filled),
+        ("WATERLINE", 1.25, {**filled, "position": 1.25}), ("STATION", 6.0, filled),
+    ):  # fmt: skip
+        assert add(kind, **more).hull.curve.position == pytest.approx(position), (kind, more)

@@ -227,7 +227,7 @@ def test_a_problem_of_a_hull_that_cannot_be_seen_is_not_selected():
 def test_a_hull_whose_mesh_another_object_left_in_edit_mode_is_not_edited():
     """As a script leaves them that exchanges the mesh of an object in edit mode."""
     hull = add_hull()
-    bpy.ops.mesh.primitive_cube_add()
+    bpy.ops.mesh.primitive_plane_add()
     bpy.ops.object.mode_set(mode="EDIT")
     other = bpy.context.object
     hull.data, other.data = other.data, hull.data
@@ -239,6 +239,16 @@ def test_a_hull_whose_mesh_another_object_left_in_edit_mode_is_not_edited():
             bpy.ops.hull.select_creases()
     else:
         pytest.skip("this Blender edits such a mesh")
+
+
+def test_what_is_not_there_to_be_selected_leaves_the_mode():
+    hull = add_hull()
+    make_active(hull)
+    with pytest.raises(RuntimeError, match="The hull has none"):
+        bpy.ops.hull.select_creases(kind="DECK_EDGE")
+    assert hull.mode == "OBJECT"
+    assert bpy.ops.hull.select_creases(kind="BORDER") == {"FINISHED"}
+    assert hull.mode == "EDIT"
 
 
 def test_a_fractional_crease_is_a_warning():

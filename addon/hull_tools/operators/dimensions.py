@@ -84,8 +84,10 @@ class HULL_OT_set_dimensions(bpy.types.Operator, TaskOperator):
     def _open(self, context):
         scale = units.metres_per_unit(context.scene)
         now = dimensions.present(hull_objects.hull_of(context.object), context.scene)
-        self.length, self.beam = now.length_pp / scale, now.beam / scale
-        self.draft = now.draft / scale
+        present = (("length", now.length_pp), ("beam", now.beam), ("draft", now.draft))
+        for name, value in present:
+            if not self.properties.is_property_set(name):
+                setattr(self, name, value / scale)
         return context.window_manager.invoke_props_dialog(self, width=320)
 
     def draw(self, context):

@@ -27,6 +27,11 @@ class ExportHull(HullReader, ExportHelper):
             self.filepath = bpy.path.ensure_ext(folder + name, self.filename_ext)
         return super().invoke(context, event)
 
+    def run(self, context):
+        if not os.path.basename(self.filepath):
+            raise ValueError("The file has no name: give one")
+        return super().run(context)
+
     def name_part(self):
         """What stands between the hull's name and the ending."""
         return ""
@@ -57,6 +62,13 @@ class HULL_OT_export_hull(bpy.types.Operator, ExportHull):
     filename_ext = ".hull.json"
     check_extension = None  # Blender knows endings of one part only
     filter_glob: StringProperty(default="*.hull.json", options={"HIDDEN"})
+
+    def check(self, context):
+        """The ending is there when Blender looks whether such a file is there already."""
+        before = self.filepath
+        if os.path.basename(before):
+            self.filepath = bpy.path.ensure_ext(before, self.filename_ext)
+        return self.filepath != before
 
     def write(self, hull, scene):
         path = bpy.path.ensure_ext(self.filepath, self.filename_ext)

@@ -39,7 +39,9 @@ class HULL_OT_set_aside(bpy.types.Operator, HullOperator):
     def run_on(self, hull, context):
         faces = None
         if hull.mode == "EDIT":
-            faces = [face.index for face in bmesh.from_edit_mesh(hull.data).faces if face.select]
+            edited = bmesh.from_edit_mesh(hull.data).faces
+            edited.index_update()
+            faces = [face.index for face in edited if face.select]
         count = splitting.set_aside(hull, context.scene, faces or None)
         self.tell("INFO", f'{count} faces are in the layer "{splitting.SET_ASIDE}", not the shell')
 

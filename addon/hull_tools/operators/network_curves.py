@@ -45,9 +45,21 @@ class CurveOperator(NetworkOperator):
 
     needs = (*NetworkOperator.needs, in_object_mode)
 
+    placed_as: StringProperty(
+        name="Placed As",
+        description="The kind of curve for which the position is the 3D cursor's",
+        options={"SKIP_SAVE", "HIDDEN"},
+    )
+
     def placed(self, context):
-        if self.kind in _AXIS_OF_KIND and not self.properties.is_property_set("position"):
-            self.position = context.scene.cursor.location[_AXIS_OF_KIND[self.kind]]
+        """Done again as another kind, what was placed at the 3D cursor is so once more."""
+        cursor = context.scene.cursor.location
+        is_cursors = not self.properties.is_property_set("position") or (
+            self.placed_as in _AXIS_OF_KIND
+            and self.position == cursor[_AXIS_OF_KIND[self.placed_as]]
+        )
+        if self.kind in _AXIS_OF_KIND and is_cursors:
+            self.position, self.placed_as = cursor[_AXIS_OF_KIND[self.kind]], self.kind
         return units.as_typed(self.position)
 
     def show(self, context, made):

@@ -168,10 +168,10 @@ class HULL_OT_curves_to_network(bpy.types.Operator, BaseOperator):
             raise ValueError(reason)
         if not any(obj.type == "CURVE" for obj in context.selected_objects):
             raise ValueError("Select curve objects first")
-        network = network or making.new(context.scene, "Network")
         made = making.take(context.selected_objects, network, context.scene)
         make_active(context, made[0])
         suit_views(context)
+        network = networks.network_of(made[0])
         self.tell("INFO", f'"{network.name}" took {counted(len(made), "curve")}')
 
 

@@ -45,7 +45,8 @@ class HULL_OT_select_creases(bpy.types.Operator, SelectOperator):
     )
 
     def run_on(self, hull, context):
-        enter_edit_mode(context, hull)
+        if len(self.found(hull, context)[1]):
+            enter_edit_mode(context, hull)
         super().run_on(hull, context)
 
     def found(self, hull, context):

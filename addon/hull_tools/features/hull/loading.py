@@ -13,12 +13,21 @@ _LISTS = {
 }
 
 
+def _new_name(word, entries):
+    """The word with a number, that none of the entries has: that of the last one, or higher."""
+    taken = {entry.name for entry in entries}
+    number = len(entries)
+    while f"{word} {number}" in taken:
+        number += 1
+    return f"{word} {number}"
+
+
 def add_load_case(obj, scene):
     """A load case of the displacement and LCB at hand, on which one goes on; returns it."""
     loading = obj.hull.loading
     found = hull_state.refresh(obj, scene).hydrostatics.values
     case = loading.load_cases.add()
-    case.name = f"Load case {len(loading.load_cases)}"
+    case.name = _new_name("Load case", loading.load_cases)
     case.vcg = loading.kg
     case.vcg_is_guess = loading.kg_is_guess
     if found is not None:
@@ -32,7 +41,7 @@ def add_downflooding_point(obj):
     """An opening at the side of the deck amidships; returns it."""
     settings, loading = obj.hull, obj.hull.loading
     point = loading.downflooding_points.add()
-    point.name = f"Opening {len(loading.downflooding_points)}"
+    point.name = _new_name("Opening", loading.downflooding_points)
     point.position = (0.5 * settings.length_pp, 0.5 * settings.beam, settings.depth)
     loading.active_downflooding_point = len(loading.downflooding_points) - 1
     return point
@@ -42,7 +51,7 @@ def add_wind_area(obj):
     """An area above the deck, of no size as yet; returns it."""
     settings, wind = obj.hull, obj.hull.wind
     area = wind.areas.add()
-    area.name = f"Wind area {len(wind.areas)}"
+    area.name = _new_name("Wind area", wind.areas)
     area.z = settings.depth
     wind.active_area = len(wind.areas) - 1
     return area
@@ -52,7 +61,7 @@ def add_weight(obj):
     """A weight amidships, of no mass as yet; returns it."""
     settings, weights = obj.hull, obj.hull.weights
     item = weights.items.add()
-    item.name = f"Weight {len(weights.items)}"
+    item.name = _new_name("Weight", weights.items)
     item.lcg, item.vcg = 0.5 * settings.length_pp, settings.depth
     weights.active_item = len(weights.items) - 1
     return item

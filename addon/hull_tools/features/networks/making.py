@@ -24,9 +24,11 @@ def new(scene, name):
 
 
 def take(objects, network, scene):
-    """Takes curve objects into a network: each of their splines becomes a curve, of a kind by the
-    plane it lies in. Returns the new objects; ValueError where there is nothing to take."""
-    own = [obj for obj in objects if obj.type == "CURVE" and networks.network_of(obj) != network]
+    """Takes curve objects into a network, or with None into a new one: each of their splines
+    becomes a curve, of a kind by the plane it lies in. Returns the new objects; ValueError where
+    there is nothing to take, and then nothing is made."""
+    curves = [obj for obj in objects if obj.type == "CURVE"]
+    own = [obj for obj in curves if network is None or networks.network_of(obj) != network]
     if not own:
         raise ValueError("Select curve objects that are in no network yet")
     for obj in own:
@@ -37,6 +39,7 @@ def take(objects, network, scene):
     if not lines:
         raise ValueError("The selected curves have no line of two points or more")
     size = max(np.ptp(np.concatenate([points for _, points, _ in lines]), axis=0).max(), 1e-9)
+    network = network or new(scene, "Network")
     made = []
     for obj, points, knuckles in lines:
         curve = bezier_curves.made(obj.name, points, knuckles, network)
