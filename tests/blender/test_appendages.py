@@ -358,3 +358,17 @@ def test_a_body_is_turned_as_before_when_its_hull_is_scaled(box, mode):
     part("features.hull.appendage_data").follow(box, scale)
     bpy.context.view_layer.update()
     assert rudder.matrix_basis.to_quaternion().rotation_difference(before).angle < 1e-6
+
+
+def test_a_copy_that_shares_its_mesh_is_changed_by_itself(box):
+    """As Alt D makes one."""
+    made = add(box, "RUDDER")
+    before = len(made.data.vertices), made.dimensions.copy()
+    copied = made.copy()
+    bpy.context.collection.objects.link(copied)
+    assert copied.data == made.data
+    copied.hull.appendage.chord *= 2.0
+    bpy.context.view_layer.update()
+    assert copied.data != made.data
+    assert (len(made.data.vertices), made.dimensions) == before
+    assert copied.dimensions.x > 1.2 * made.dimensions.x

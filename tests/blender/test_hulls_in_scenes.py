@@ -40,3 +40,26 @@ def test_plots_are_of_the_scene_at_hand(hull, monkeypatch):
     monkeypatch.setattr(follow.live_analyses, "show_plots", lambda *asked: shown.append(asked))
     follow.after_undo()
     assert shown[-1] == (hull, bpy.context.scene)
+
+
+def test_what_is_hidden_in_one_view_layer_stays_as_it_is_in_another(hull):
+    look_after = part("bridge.objects.surface_upkeep").look_after
+    scene, shown = bpy.context.scene, hull.hull.surface_object
+    here, other = bpy.context.view_layer, scene.view_layers.new("other")
+    try:
+        look_after(here)
+        hull.hide_set(True)
+        look_after(here)
+        assert shown.hide_get()
+        shown.hide_set(True, view_layer=other)
+        for _ in range(2):
+            look_after(other)
+            assert shown.hide_get(view_layer=other) and not hull.hide_get(view_layer=other)
+            look_after(here)
+            assert shown.hide_get()
+        hull.hide_set(False)
+        look_after(other)
+        look_after(here)
+        assert not shown.hide_get() and shown.hide_get(view_layer=other)
+    finally:
+        scene.view_layers.remove(other)

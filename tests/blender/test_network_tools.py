@@ -289,3 +289,14 @@ def test_another_kind_is_placed_at_the_cursor_once_more():
         ("WATERLINE", 1.25, {**filled, "position": 1.25}), ("STATION", 6.0, filled),
     ):  # fmt: skip
         assert add(kind, **more).hull.curve.position == pytest.approx(position), (kind, more)
+
+
+def test_a_network_that_is_deleted_while_it_is_measured_is_told_of():
+    network = grid_network()
+    name = network.name
+    tasks = part("features.networks.surface_tasks")
+    assert tasks.Measuring(network, bpy.context.scene).write()[0] == name
+    task = tasks.Measuring(network, bpy.context.scene)
+    bpy.data.collections.remove(network)
+    with pytest.raises(ValueError, match="was deleted meanwhile"):
+        task.write()

@@ -388,3 +388,22 @@ def test_settings_of_another_blender_do_not_keep_the_studio():
     collection()["settings"] = json.dumps({**kept, "render.engine": "ANOTHER_BLENDERS"})
     assert bpy.ops.hull.remove_studio() == {"FINISHED"}
     assert collection() is None and scene().render.resolution_x == before
+
+
+def test_collections_that_the_user_put_into_it_stay():
+    hull = add_hull()
+    mine, own = bpy.data.objects.new("mine", None), bpy.data.collections.new("own")
+    set_up(hull).children.link(own)
+    own.objects.link(mine)
+    bpy.ops.hull.remove_studio()
+    assert mine.name in scene().objects and own.name in scene().collection.children
+
+
+def test_a_surface_without_a_slot_is_painted():
+    hull = add_hull()
+    shown = hull.hull.surface_object
+    shown.data.materials.clear()
+    set_up(hull)
+    assert shown.material_slots[0].material.name.startswith("Studio hull paint")
+    assert bpy.ops.hull.remove_studio() == {"FINISHED"}
+    assert shown.material_slots[0].link == "DATA"

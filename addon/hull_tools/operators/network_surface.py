@@ -9,7 +9,7 @@ from bpy_extras.io_utils import ExportHelper
 
 from ..bridge.counts import counted
 from ..bridge.objects import networks
-from ..features.networks import network_state, surface_tasks
+from ..features.networks import surface_tasks
 from .networks import NetworkTask
 
 
@@ -24,8 +24,8 @@ class HULL_OT_measure_network(bpy.types.Operator, NetworkTask):
         return surface_tasks.Measuring(network, scene)
 
     def outcome(self, measured, scene):
-        network_state.state_of(self._network).measured = measured
-        return f'"{self._network.name}": {measured.lines[0]}', False
+        name, line = self._task.write()
+        return f'"{name}": {line}', False
 
 
 class HULL_OT_export_network(bpy.types.Operator, NetworkTask, ExportHelper):

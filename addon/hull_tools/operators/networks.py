@@ -36,8 +36,7 @@ class NetworkTask(TaskOperator):
     needs = (native_is_there, has_network)
 
     def run(self, context):
-        self._network = networks.at_hand(context)
-        return self.run_on(self._network, context)
+        return self.run_on(networks.at_hand(context), context)
 
 
 def can_change_network(cls, context):

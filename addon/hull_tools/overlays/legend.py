@@ -51,6 +51,8 @@ def _draw_legend(context, arrays, is_low):
     dots = view_room.DOTS_PER_MM * scale
     room = view_room.free_room(context.area, context.region)
     left, bottom, _, height = room
+    if height <= 0.0:
+        return
     dots *= min(1.0, height / ((legend_arrays.HEIGHT_MM + 8.0) * dots))
     blf.size(_FONT, _TEXT_MM * dots)
     widest = max((_width(text) for _, text in arrays.labels), default=0.0)

@@ -57,9 +57,11 @@ def depth_test(mode):
     """Draws what passes the test, as gpu.state names it, before what is there."""
     gpu.state.blend_set("ALPHA")
     gpu.state.depth_test_set(mode)
-    yield
-    gpu.state.depth_test_set("NONE")
-    gpu.state.blend_set("NONE")
+    try:
+        yield
+    finally:
+        gpu.state.depth_test_set("NONE")
+        gpu.state.blend_set("NONE")
 
 
 def seen_then_hidden(hidden_alpha=HIDDEN_ALPHA):

@@ -18,6 +18,11 @@ def all_networks():
     return [one for one in bpy.data.collections if one.hull_network.is_network]
 
 
+def named(name):
+    """The network of that name, or None."""
+    return next((network for network in all_networks() if network.name == name), None)
+
+
 def network_of(obj):
     """The network that an object belongs to; None for any other."""
     if obj is None:

@@ -25,7 +25,7 @@ class _Seen:
     name: str
     surface: str
     collections: tuple
-    is_hidden: bool
+    is_hidden: dict  # by view layer
 
 
 _seen = {}  # by the hull's address
@@ -46,10 +46,10 @@ def look_after(view_layer, is_new_file=False):
             _show_linked(obj, seen, is_new_file)
         else:
             if seen is None and is_new_file:
-                seen = _as_it_is(obj, view_layer)
+                seen = _as_it_is(obj, view_layer, None)
             if migration.bring_up_to_date(obj) | _tend(obj, seen, view_layer):
                 changed.append(obj)
-        found[obj.as_pointer()] = _as_it_is(obj, view_layer)
+        found[obj.as_pointer()] = _as_it_is(obj, view_layer, seen)
     for address in _seen.keys() - found.keys():
         _take_along(_seen[address])
     _seen.clear()
@@ -68,14 +68,20 @@ def with_new_scale(scenes):
     return hulls
 
 
-def _as_it_is(obj, view_layer):
+def _as_it_is(obj, view_layer, before):
+    """before: the _Seen that was, or None; of other view layers it is as that has it."""
     shown = shown_objects.surface_of(obj)
+    known = {} if before is None else before.is_hidden
     return _Seen(
         obj.name,
         shown.name if shown is not None else "",
         _collections(obj),
-        _is_hidden(obj, view_layer),
+        {**known, _key(view_layer): _is_hidden(obj, view_layer)},
     )
+
+
+def _key(view_layer):
+    return view_layer.id_data.name_full, view_layer.name
 
 
 def _collections(obj):
@@ -104,9 +110,10 @@ def _tend(obj, seen, view_layer):
     is_elsewhere = seen is not None and seen.collections != _collections(obj)
     if not pointed.users_collection or (is_elsewhere and _collections(pointed) == seen.collections):
         _move(pointed, obj.users_collection)
-    if seen is not None and seen.is_hidden != _is_hidden(obj, view_layer):
-        if pointed.name in view_layer.objects:
-            pointed.hide_set(not seen.is_hidden, view_layer=view_layer)
+    is_hidden = _is_hidden(obj, view_layer)
+    was_hidden = is_hidden if seen is None else seen.is_hidden.get(_key(view_layer), is_hidden)
+    if was_hidden != is_hidden and pointed.name in view_layer.objects:
+        pointed.hide_set(is_hidden, view_layer=view_layer)
     if seen is None:
         _be_no_choice(pointed, view_layer)
     return shown_objects.put_in_place(obj)

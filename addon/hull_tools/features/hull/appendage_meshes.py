@@ -15,7 +15,10 @@ _SAME_PLACE = 1e-7  # of the size: points at common sides of patches
 
 def show(obj):
     """Gives an appendage's object the mesh of the body that its settings say; one that is none has
-    no faces. One that is cut out is a wire, and on no picture."""
+    no faces. One that is cut out is a wire, and on no picture. What shares its mesh stays as it
+    is."""
+    if obj.data.users - obj.data.use_fake_user > 1 and not obj.data.is_editmode:
+        obj.data = obj.data.copy()
     is_cut = obj.hull.appendage.is_cut
     obj.display_type, obj.hide_render = ("WIRE" if is_cut else "TEXTURED"), is_cut
     try:

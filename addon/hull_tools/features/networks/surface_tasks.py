@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from ...bridge import native
 from ...bridge.background import jobs
 from ...bridge.blender import units
+from ...bridge.objects import networks
 from . import network_state
 
 # Of the time that a file takes, that of its patches.
@@ -29,7 +30,7 @@ class Measuring(jobs.JobTask):
 
     def __init__(self, network, scene):
         state = network_state.up_to_date(network, scene)
-        own, revision = state.network, state.revision
+        self._name, own, revision = network.name, state.network, state.revision
         draft = network.hull_network.draft * units.metres_per_unit(scene)
 
         def work(progress):
@@ -44,6 +45,16 @@ class Measuring(jobs.JobTask):
             return Measured(tuple(lines), revision)
 
         self._job = jobs.Job(work)
+
+    def write(self):
+        """Keeps what was measured with the network; returns its name and the first line of it.
+        ValueError where the network was deleted meanwhile."""
+        measured = self.result()
+        network = networks.named(self._name)
+        if network is None:
+            raise ValueError(f'"{self._name}" was deleted meanwhile: nothing is told of it')
+        network_state.state_of(network).measured = measured
+        return self._name, measured.lines[0]
 
 
 class Writing(jobs.JobTask):

@@ -73,7 +73,7 @@ class Laying(jobs.JobTask):
         laid = self.result()
         if networks.is_network(collection):
             collection = scene.collection
-        network = next((n for n in networks.all_networks() if n.name == self._network), None)
+        network = networks.named(self._network)
         if network is None:
             raise ValueError(f'"{self._network}" was deleted meanwhile: no hull is made')
         data = _hull_data(laid, f"{self._network} hull")

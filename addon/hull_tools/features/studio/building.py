@@ -73,6 +73,8 @@ def _furnish(here, settings):
 
 def _paint(collection, surface_object, material):
     """Paints the surface object, and notes what it had; its mesh keeps its own material."""
+    if not surface_object.material_slots:
+        surface_object.data.materials.append(None)
     slot = surface_object.material_slots[0]
     was = {"link": slot.link}
     if slot.link == "OBJECT" and slot.material is not None:
@@ -152,8 +154,12 @@ def remove(scene):
 
 
 def _remove_objects(collection, scene):
-    """Removes the studio's objects, and lets the user's own stay; returns their data."""
+    """Removes the studio's objects, and lets the user's own, and his collections, stay; returns
+    their data."""
     blocks = []
+    for child in collection.children:
+        if child.name not in scene.collection.children:
+            scene.collection.children.link(child)
     for obj in list(collection.objects):
         if obj.get(MARK) is None:
             if len(obj.users_collection) == 1:
