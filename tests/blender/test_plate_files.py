@@ -251,3 +251,26 @@ def test_a_hull_without_rules_says_nothing_of_plates(tmp_path):
     path = tmp_path / "coaster.hull.json"
     assert bpy.ops.hull.export_hull(filepath=str(path)) == {"FINISHED"}
     assert "plating" not in path.read_text()
+
+
+def test_plates_are_told_of_as_they_were_once_something_else_is_asked_for():
+    hull = sample("planing_boat")
+    for kind, value in (("strakes", 2.0), ("butts", 10.0)):
+        bpy.ops.hull.change_plate_list(action="ADD_RULE")
+        hull.hull.plates.rules[-1].kind, hull.hull.plates.rules[-1].value = kind, value
+    assert bpy.ops.hull.lay_out_plates() == {"FINISHED"}
+
+    def is_current():
+        return part("features.production.plate_files").last_plates(hull)[1]
+
+    settings, layer = hull.hull.plates, hull.hull.layers[0]
+    for group, name, other in (
+        (settings.rules[1], "value", 5.0), (settings.rules[0], "on", False),
+        (settings, "along_knuckles", not settings.along_knuckles), (layer, "thickness", 0.02),
+    ):  # fmt: skip
+        assert is_current()
+        before = getattr(group, name)
+        setattr(group, name, other)
+        assert not is_current(), name
+        setattr(group, name, before)
+    assert is_current()

@@ -22,8 +22,8 @@ _MOST_TOLD = 3
 @dataclass(frozen=True)
 class PlateReport:
     """rows: of hull_native.plate_rows; unsettled: names of plates whose layout did not settle;
-    mass_t: of both sides; key: of the geometry that it is of; knuckles_deg: of keel plates that are
-    not one with their mirror images for being slightly bent in the centre plane. mixed: how many
+    mass_t: of both sides; key: of the geometry that it is of, asked: what_is_asked() then;
+    knuckles_deg: of keel plates that are not one with their mirror images for being slightly bent in the centre plane. mixed: how many
     plates lie on layers of different thickness. left_out: (name of a seam, m, place) of seams that
     end within a plate."""
 
@@ -31,6 +31,7 @@ class PlateReport:
     unsettled: list
     mass_t: float
     key: object = None
+    asked: tuple = ()
     knuckles_deg: tuple = ()
     mixed: int = 0
     left_out: tuple = ()
@@ -88,6 +89,22 @@ class KeptPlates:
     layout: Layout = None
 
 
+def what_is_asked(obj):
+    """What a hull asks for of its plates, to be compared: rules, where lines of them stand, and
+    thicknesses of layers."""
+    settings = obj.hull.plates
+    rules = [
+        (rule.kind, rule.value, rule.line and (rule.line.name, *map(tuple, rule.line.matrix_world)))
+        for rule in settings.rules
+        if rule.on
+    ]
+    layers = [
+        (layer.material and layer.material.name, layer.thickness, layer.in_hydrostatics)
+        for layer in obj.hull.layers
+    ]
+    return (*rules, *layers, settings.along_knuckles, settings.across_centre)
+
+
 def layout_key(state, rules, settings):
     """What the plates of a state by hull_native.SeamRules and Object.hull.plates are made from."""
     lines = (None if one.line is None else one.line.tobytes() for one in rules)
@@ -129,6 +146,7 @@ class PlateTask(jobs.JobTask):
         points = self.state.ship.surface.mesh.points
         self._marks = plate_marks.marks_of(obj, scene, points, frame_spacing)
         self._key = layout_key(self.state, rules, settings)
+        self._asked = what_is_asked(obj)
         self._check()
         self._job = jobs.Job(self._work)
         conversions.watch(self)
@@ -150,6 +168,7 @@ class PlateTask(jobs.JobTask):
             [one.name for one in listed if not one.flat.converged],
             sum(one.mass_t * len(one.pieces) for one in listed),
             self._key[0],
+            self._asked,
             tuple(_slight_knuckles(plates)),
             mixed,
             layout.left_out,
@@ -264,8 +283,10 @@ def write_rows(path, rows):
 
 
 def last_plates(obj):
-    """(the PlateReport of a hull or None, whether it is of the hull as it is)."""
-    return hull_state.last_report(obj, KeptPlates)
+    """(the PlateReport of a hull or None, whether it is of the hull, its rules and thicknesses as
+    they are)."""
+    report, is_current = hull_state.last_report(obj, KeptPlates)
+    return report, is_current and report.asked == what_is_asked(obj)
 
 
 def plate_words(row, shown):
