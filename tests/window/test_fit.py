@@ -60,3 +60,28 @@ def test_esc_cancels(window):
     yield
     assert are_equal(snapshot(hull_at_hand()), before)
     assert part("features.fitting.fitting").last_report(hull_at_hand()) == (None, False)
+
+
+def test_what_ends_while_another_scene_is_shown_waits_for_its_own(window):
+    """The other one has another unit."""
+    hull = begin(window)
+    bpy.ops.object.mode_set(mode="OBJECT")
+    low = edited_points(hull)[:, 2].min()
+    here, other = bpy.context.scene, bpy.data.scenes.new("in millimetres")
+    other.unit_settings.scale_length = 0.001
+    yield
+    with window.in_view():
+        assert bpy.ops.hull.fit("INVOKE_DEFAULT") == {"RUNNING_MODAL"}
+    window.window.scene = other
+    task = part("features.conversion.conversions").running(hull)
+    yield task.is_done
+    for _ in range(6):
+        yield
+    assert edited_points(hull)[:, 2].min() == low
+    window.window.scene = here
+    yield lambda: part("features.conversion.conversions").running(hull) is None
+    yield
+    assert abs(edited_points(hull)[:, 2].min() - low - 0.3) < 0.05
+    assert part("features.fitting.fitting").last_report(hull)[1]
+    bpy.data.scenes.remove(other)
+    yield

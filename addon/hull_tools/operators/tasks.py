@@ -14,7 +14,8 @@ class TaskOperator(HullReader):
     """Subclasses begin a task of features.conversion.conversions, and tell what came of it:
     begin(hull, scene) → task, and outcome(result of the task, scene) → (text, whether it warns).
 
-    What is run by a script, or without a window, is done when the operator returns; so is what
+    What comes of it is of the scene that it was begun in, and its units: it is taken when that is
+    shown. What is run by a script, or without a window, is done when the operator returns; so is what
     Blender repeats, or does again with other settings.
     """
 
@@ -37,7 +38,7 @@ class TaskOperator(HullReader):
         self._task = self.begin(hull, context.scene)
         if not self._goes_on:
             return self._finish(context)
-        manager = context.window_manager
+        manager, self._scene_name = context.window_manager, context.scene.name
         self._timer = manager.event_timer_add(_LOOK_SECONDS, window=context.window)
         manager.progress_begin(0.0, 100.0)
         manager.modal_handler_add(self)
@@ -50,7 +51,10 @@ class TaskOperator(HullReader):
             return {"RUNNING_MODAL"}
         if event.type != "TIMER":
             return {"PASS_THROUGH"}
-        if not self._task.is_done():
+        is_gone = self._scene_name not in bpy.data.scenes
+        if is_gone:
+            self._task.cancel()
+        if not self._task.is_done() or not (is_gone or context.scene.name == self._scene_name):
             self._show_progress(context)
             return {"PASS_THROUGH"}
         self._leave(context)
@@ -77,7 +81,10 @@ class TaskOperator(HullReader):
     def _show_progress(self, context):
         percent = 100.0 * self._task.share
         context.window_manager.progress_update(percent)
-        context.workspace.status_text_set(f"{self._task.text}: {percent:.0f} %    Esc: cancel")
+        text = f"{self._task.text}: {percent:.0f} %    Esc: cancel"
+        if context.scene.name != self._scene_name:
+            text += f'    It ends when the scene "{self._scene_name}" is shown'
+        context.workspace.status_text_set(text)
 
     def _leave(self, context):
         manager = context.window_manager
