@@ -171,3 +171,13 @@ def test_a_series_goes_to_no_folder_that_is_not_named():
     family()
     with pytest.raises(RuntimeError, match="No folder is named"):
         bpy.ops.hull.export_series()
+
+
+def test_both_tables_are_written_or_none(tmp_path):
+    family()
+    path, taken = tmp_path / "series.csv", tmp_path / "series-areas.csv"
+    path.write_text("as it was")
+    taken.mkdir()
+    with pytest.raises(RuntimeError, match="folder"):
+        bpy.ops.hull.export_series_table(filepath=str(path))
+    assert path.read_text() == "as it was" and set(tmp_path.iterdir()) == {path, taken}

@@ -123,3 +123,15 @@ def test_what_is_drawn_over_the_view():
     network.hull_network.tie = False
     move_point(station, 1, (0.0, 0.0, 0.02))
     assert len(arrays.of_network(network, state_of(network)).problems)
+
+
+def test_without_curves_there_is_no_surface():
+    network = grid_network(3, show_surface=True)
+    finish()
+    shown = part("bridge.objects.networks").surface_of(network)
+    assert len(shown.data.polygons)
+    for obj in [one for one in network.objects if one.type == "CURVE"]:
+        bpy.data.objects.remove(obj)
+    bpy.context.view_layer.update()
+    finish()
+    assert not len(shown.data.polygons)

@@ -247,3 +247,16 @@ def test_chines_become_a_hull(tmp_path):
     assert hull.name.startswith("Skiff") and hull.hull.half
     state = part("features.hull.hull_state").state_of(hull)
     assert not state.status and state.ship.surface is not None
+
+
+def test_noise_makes_no_sides_that_differ(tmp_path):
+    """As files of others have, whose coordinates are rounded here and there."""
+    hull = sample("coaster")
+    assert bpy.ops.hull.make_whole() == {"FINISHED"}
+    points = mesh_points(hull)
+    size = np.linalg.norm(np.ptp(points, axis=0))
+    noise = np.random.default_rng(6).uniform(-1e-5, 1e-5, points.shape) * size
+    hull.data.vertices.foreach_set("co", (points + noise).astype(np.float32).ravel())
+    hull.data.update()
+    bpy.ops.hull.export_sections(filepath=str(tmp_path / "coaster.txt"))
+    assert (tmp_path / "coaster.txt").exists()

@@ -97,3 +97,10 @@ def test_every_operator_that_changes_the_hull_is_undone():
         if issubclass(cls, changing) and not {"REGISTER", "UNDO"} <= set(cls.bl_options)
     ]
     assert not faults
+
+
+def test_it_is_disabled_where_another_addon_has_cleared_handlers(addon):
+    bpy.app.handlers.undo_post.clear()
+    addon_utils.disable(addon)
+    assert not traces()["types"]
+    assert addon_utils.enable(addon) is not None

@@ -50,6 +50,8 @@ def register():
 def unregister():
     _beginning().stop()
     for name, handler in _HANDLERS:
-        getattr(bpy.app.handlers, name).remove(handler)
+        registered = getattr(bpy.app.handlers, name)
+        if handler in registered:  # other add-ons may have cleared the list
+            registered.remove(handler)
     follow.forget_all()
     surface_upkeep.forget_all()

@@ -19,6 +19,9 @@ from ..resistance import asked
 
 # Of the hull's size: chords of sections.
 _CHORDS = 1e-5
+# Of the hull's size: sides that are no farther apart are one another's mirror images; and squares
+# along a cell at whose corners it is looked.
+_SAME_SIDES, _LOOKED_AT = 2e-4, 2
 _MICHLET_STATIONS, _MICHLET_WATERLINES, _MICHLET_SPEEDS = 81, 41, 50
 
 
@@ -54,11 +57,9 @@ def _refuse_one_sided(body, file_name):
     """The files have one side, which stands for both."""
     if body.mirrored:
         return
-    points = body.surface.mesh.points
-    images = points * (1.0, -1.0, 1.0)
-    near = 1e-4 * size_of(body.surface)
-    order, image_order = (np.lexsort(np.round(p / near).T) for p in (points, images))
-    if np.abs(points[order] - images[image_order]).max() > 2.0 * near:
+    tree = native.require().SurfaceTree(body.surface)
+    images = body.surface.tessellate(_LOOKED_AT).points * (1.0, -1.0, 1.0)
+    if tree.closest_points(images).distances.max() > _SAME_SIDES * size_of(body.surface):
         raise HullFileError(
             f"{file_name}: the hull's two sides differ, and this file knows one that stands for "
             "both; mirror one of them first."

@@ -56,14 +56,13 @@ def _write_tables(found, path, progress, is_imperial):
         row, own = _numbers(found, step)
         rows.append(row)
         areas += own
-    # Both or none: only names that cannot be written could come between.
-    areas_header = ["t", "x from AP [m]", "area [m2]"]
-    for where, header, table in (
-        (path, _header(found), rows),
-        (areas_path(path), areas_header, areas),
-    ):
-        table_units.write_shown(where, header, table, is_imperial)
-    return [path, areas_path(path)]
+    targets = [path, areas_path(path)]
+    with native.require().FolderBeside(targets) as aside:
+        made = [aside / target.name for target in targets]
+        table_units.write_shown(made[0], _header(found), rows, is_imperial)
+        table_units.write_shown(made[1], ["t", "x from AP [m]", "area [m2]"], areas, is_imperial)
+        aside.hand_over(made)
+    return targets
 
 
 def _header(found):

@@ -52,6 +52,8 @@ class Taking(jobs.JobTask):
     def write(self, scene):
         """Makes the network of the lines; returns it."""
         lines = self.result()
+        if not lines:
+            raise ValueError(f'No line is on "{self._name}": give positions that meet it')
         network = making.new(scene, f"{self._name} network")
         for line in lines:
             points = line.points / self._scale + self._place

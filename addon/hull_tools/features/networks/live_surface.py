@@ -37,7 +37,11 @@ class LiveSurface:
         if networks.locked(network):
             return
         shown = _tended(network)
-        if shown is None or not network.hull_network.show_surface or state.network is None:
+        if shown is None or not network.hull_network.show_surface:
+            return
+        if state.network is None:
+            if not state.curves:
+                self._clear(shown)
             return
         if not state.is_joined and self._points is not None:
             return  # what was last sound stays
@@ -46,6 +50,17 @@ class LiveSurface:
             return
         samples = int(np.clip(network.hull_network.samples, 1, limits.MOST_SAMPLES))
         self._bring(shown, state, samples)
+
+    def _clear(self, shown):
+        """Without curves there is no surface."""
+        if (
+            len(shown.data.polygons)
+            and self._is_of(shown)
+            and not shown_objects.is_worked_on(shown)
+        ):
+            shown.data.clear_geometry()
+            shown.data.update()
+        self.forget()
 
     @property
     def is_finished(self):
