@@ -15,8 +15,8 @@ class TaskOperator(HullReader):
     begin(hull, scene) → task, and outcome(result of the task, scene) → (text, whether it warns).
 
     What comes of it is of the scene that it was begun in, and its units: it is taken when that is
-    shown. What is run by a script, or without a window, is done when the operator returns; so is what
-    Blender repeats, or does again with other settings.
+    shown. What is run by a script, or without a window, is done when the operator returns; so is
+    what Blender repeats, or does again with other settings.
     """
 
     bl_options = {"REGISTER"}

@@ -53,13 +53,10 @@ class LiveSurface:
 
     def _clear(self, shown):
         """Without curves there is no surface."""
-        if (
-            len(shown.data.polygons)
-            and self._is_of(shown)
-            and not shown_objects.is_worked_on(shown)
-        ):
-            shown.data.clear_geometry()
-            shown.data.update()
+        mesh = shown.data
+        if len(mesh.polygons) and self._is_of(shown) and not shown_objects.is_worked_on(shown):
+            mesh.clear_geometry()
+            mesh.update()
         self.forget()
 
     @property

@@ -23,9 +23,9 @@ _MOST_TOLD = 3
 class PlateReport:
     """rows: of hull_native.plate_rows; unsettled: names of plates whose layout did not settle;
     mass_t: of both sides; key: of the geometry that it is of, asked: what_is_asked() then;
-    knuckles_deg: of keel plates that are not one with their mirror images for being slightly bent in the centre plane. mixed: how many
-    plates lie on layers of different thickness. left_out: (name of a seam, m, place) of seams that
-    end within a plate."""
+    knuckles_deg: of keel plates that are not one with their mirror images for being slightly bent
+    in the centre plane. mixed: how many plates lie on layers of different thickness. left_out:
+    (name of a seam, m, place) of seams that end within a plate."""
 
     rows: list
     unsettled: list
