@@ -177,21 +177,28 @@ void bind_hydrostatics(py::module_& module) {
       "hydrostatics",
       [](const analysis::HullBody& body, double draft, double trim, double heel,
          std::optional<double> draft_at, std::optional<double> length_pp,
-         std::optional<double> beam, std::optional<double> design_draft, double water_density) {
+         std::optional<double> beam, std::optional<double> design_draft, double water_density,
+         analysis::KeptStations* kept_stations) {
         const analysis::ProjectDimensions project = dimensions(length_pp, beam, design_draft);
         const double at = draft_at.value_or(0.5 * project.length_pp);
-        return analysis::hydrostatics(body, {draft, trim, heel, at}, project, water_density);
+        // With the lock no other thread changes what is kept.
+        std::optional<py::gil_scoped_release> released;
+        if (!kept_stations) released.emplace();
+        return analysis::hydrostatics(body, {draft, trim, heel, at}, project, water_density,
+                                      kept_stations);
       },
       py::arg("body"), py::kw_only(), py::arg("draft"), py::arg("trim") = 0.0,
       py::arg("heel") = 0.0, py::arg("draft_at") = py::none(), py::arg("length_pp") = py::none(),
       py::arg("beam") = py::none(), py::arg("design_draft") = py::none(),
-      py::arg("water_density") = analysis::kSeaWaterDensity,
-      py::call_guard<py::gil_scoped_release>(),
+      py::arg("water_density") = analysis::kSeaWaterDensity, py::arg("kept_stations") = py::none(),
       (std::string("Hydrostatics of a HullBody in water, integrated over the exact surface.\n\n"
                    "draft in m where the ship's vertical through (draft_at, 0) meets the water; "
                    "draft_at is midship, or 0 without length_pp. trim (by the stern) and heel (to "
                    "starboard) in rad. ") +
-       kDimensionsDoc + " Raises ValueError if the faces are turned inwards.")
+       kDimensionsDoc +
+       " kept_stations: KeptStations of the body, whose points are moved, from which the largest "
+       "section is taken as far as it has not moved, to the same bits. Raises ValueError if the "
+       "faces are turned inwards.")
           .c_str());
   bind_lateral_profile(module);
   module.def(

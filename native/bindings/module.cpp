@@ -17,8 +17,8 @@ PYBIND11_MODULE(_core, module) {
   bind_feature_curves(module);
   bind_appendages(module);
   bind_hull_body(module);
-  bind_hydrostatics(module);
   bind_section_areas(module);
+  bind_hydrostatics(module);
   bind_form_numbers(module);
   bind_equilibrium(module);
   bind_stability(module);

@@ -165,10 +165,10 @@ void take_profile(const StationCutter& cutter, const Plane& water, Hydrostatics&
 
 // Extents, stations and profile. None of them reads what another one writes.
 void take_geometry(const StationCutter& cutter, const Plane& water, double length,
-                   Hydrostatics& p) {
+                   KeptStations* kept, Hydrostatics& p) {
   // The one station at midship goes with the profile.
   const std::array<std::function<void()>, 3> parts{
-      [&] { p.largest_section = largest_section(cutter, water); },
+      [&] { p.largest_section = largest_section(cutter, water, kept); },
       [&] { take_extents(cutter, water, p); },
       [&] {
         if (length > 0.0) p.midship_section = immersed_station(cutter, 0.5 * length, water);
@@ -213,8 +213,12 @@ void check_hydrostatics(const FloatingPosition& position, const ProjectDimension
 }
 
 Hydrostatics hydrostatics(const HullBody& body, const FloatingPosition& position,
-                          const ProjectDimensions& project, double water_density) {
+                          const ProjectDimensions& project, double water_density,
+                          KeptStations* kept) {
   check_hydrostatics(position, project, water_density);
+  if (kept && &kept->body() != &body) {
+    throw std::invalid_argument("The stations that are kept are those of another body.");
+  }
   Hydrostatics p;
   p.position = position;
   p.draft = position.draft;
@@ -227,7 +231,7 @@ Hydrostatics hydrostatics(const HullBody& body, const FloatingPosition& position
 
   const StationCutter cutter(body);
   const double length = project.length_pp;
-  take_geometry(cutter, water, length, p);
+  take_geometry(cutter, water, length, kept, p);
   if (length > 0.0) {
     if (p.displaced_volume > 0.0) p.lcb_percent = 100.0 * (p.lcb / length - 0.5);
     if (p.waterplane_area > 0.0) p.lcf_percent = 100.0 * (p.lcf / length - 0.5);

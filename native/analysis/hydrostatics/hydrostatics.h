@@ -6,7 +6,7 @@
 #include "analysis/immersion/floating_position.h"
 #include "analysis/immersion/hull_body.h"
 #include "analysis/immersion/sea_water.h"
-#include "analysis/stations/section_areas.h"
+#include "analysis/stations/kept_stations.h"
 
 namespace hull::analysis {
 
@@ -85,10 +85,11 @@ struct Hydrostatics {
 };
 
 // Throws std::invalid_argument if a number is not finite, trim is 90° or more, a dimension is
-// negative or the density is not positive, and as HullBody::immersion() does.
+// negative or the density is not positive, and as HullBody::immersion() does; and for stations that
+// are kept of another body.
 Hydrostatics hydrostatics(const HullBody& body, const FloatingPosition& position,
-                          const ProjectDimensions& project,
-                          double water_density = kSeaWaterDensity);
+                          const ProjectDimensions& project, double water_density = kSeaWaterDensity,
+                          KeptStations* kept = nullptr);
 
 // A table: one row per draft for the first trim, then for the next; drafts measured at the midship
 // of the project.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 namespace hull::analysis {
@@ -18,11 +19,13 @@ constexpr double kSettled = 1e-8;     // of the area: what a step to the top of 
 constexpr double kNarrow = 1e-5;
 constexpr double kSearched = 1e-9;  // tolerance of the areas that are compared
 
+// The immersed station at x, by a rule.
+using Stations = std::function<SectionArea(double x, const ArcRule& rule)>;
+
 // Brent's search for the maximum in (begin, end) around a higher middle: parabolas through the best
 // three stations, golden sections where these do not help.
-SectionArea refine_largest(const StationCutter& cutter, const Plane& water, const SectionArea& left,
-                           SectionArea best, const SectionArea& right, double tolerance,
-                           const ArcRule& rule) {
+SectionArea refine_largest(const Stations& station, const SectionArea& left, SectionArea best,
+                           const SectionArea& right, double tolerance, const ArcRule& rule) {
   constexpr double kGolden = 0.381966011250105;
   double begin = left.position, end = right.position;
   // The best station but one, and the one before that, carry the parabola with the best.
@@ -53,7 +56,7 @@ SectionArea refine_largest(const StationCutter& cutter, const Plane& water, cons
     }
     // Nearer than the tolerance areas differ by their own errors.
     const double to = x + (std::abs(step) >= tolerance ? step : std::copysign(tolerance, step));
-    const SectionArea tried = immersed_station(cutter, to, water, rule);
+    const SectionArea tried = station(to, rule);
     const bool settled = parabola && std::abs(tried.area - best.area) <= kSettled * best.area;
     if (tried.area >= best.area) {
       (to < x ? end : begin) = x;
@@ -93,10 +96,13 @@ std::array<double, 2> immersed_range(const StationCutter& cutter, const Plane& w
 
 }  // namespace
 
-SectionArea largest_section(const StationCutter& cutter, const Plane& water) {
+SectionArea largest_section(const StationCutter& cutter, const Plane& water, KeptStations* kept) {
   const auto [begin, end] = immersed_range(cutter, water);
   if (!(end > begin)) return {};
   const HullBody& body = cutter.body();
+  const Stations station = [&](double x, const ArcRule& rule) {
+    return kept ? kept->station(x, water, rule) : immersed_station(cutter, x, water, rule);
+  };
   const double size = body.surface().mesh().size();
   // Three nodes an arc, and errors that none has: nothing is halved.
   const ArcRule rough{3, size * size, size, kDeepestScanned},
@@ -104,7 +110,7 @@ SectionArea largest_section(const StationCutter& cutter, const Plane& water) {
   std::vector<SectionArea> scan;
   for (int i = 0; i <= kScanned; ++i) {
     const double x = begin + (end - begin) * i / kScanned;
-    scan.push_back(immersed_station(cutter, x, water, rough));
+    scan.push_back(station(x, rough));
   }
   // From the middle outwards, so that the nearest of equals is kept.
   int best = kScanned / 2;
@@ -117,14 +123,14 @@ SectionArea largest_section(const StationCutter& cutter, const Plane& water) {
   const bool level = scan[left].area >= scan[best].area * (1.0 - kLevelArea) &&
                      scan[right].area >= scan[best].area * (1.0 - kLevelArea);
   // Along a parallel middle body there is nothing to search for.
-  if (level) return immersed_station(cutter, scan[best].position, water);
+  if (level) return station(scan[best].position, cutter.rule());
   // Every area that is tried is compared with the best: that must not be a rough one.
-  scan[best] = immersed_station(cutter, scan[best].position, water, rule);
-  const SectionArea found = refine_largest(cutter, water, scan[left], scan[best], scan[right],
-                                           kNarrow * (end - begin), rule);
+  scan[best] = station(scan[best].position, rule);
+  const SectionArea found =
+      refine_largest(station, scan[left], scan[best], scan[right], kNarrow * (end - begin), rule);
   // The place is known well enough; its area is taken again as exactly as the body's others.
   const bool searched_coarsely = body.tolerance() < kSearched;
-  return searched_coarsely ? immersed_station(cutter, found.position, water) : found;
+  return searched_coarsely ? station(found.position, cutter.rule()) : found;
 }
 
 }  // namespace hull::analysis

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <compare>
 #include <vector>
 
 #include "analysis/sections/arc_square.h"
@@ -46,7 +47,8 @@ struct ArcRule {
   double area, length;
   int deepest = kDeepestCut;
 
-  bool operator==(const ArcRule&) const = default;
+  // Any order of them, for what is kept by rule.
+  auto operator<=>(const ArcRule&) const = default;
 };
 
 // For a mesh of that size and a body's tolerance (body_rules.h).

@@ -5,6 +5,8 @@
 
 #include <random>
 
+#include "analysis/hydrostatics/hydrostatics.h"
+#include "analysis/stations/largest_section.h"
 #include "natural_hull.h"
 #include "test_meshes.h"
 
@@ -59,6 +61,9 @@ TEST(KeptStations, AreThoseOfANewCut) {
         SCOPED_TRACE(::testing::Message() << "step " << step << ", x " << asked[i]);
         expect_equal(found[i], wanted[i]);
       }
+      const Plane water = water_plane(afloat);
+      const StationCutter cutter(body);
+      expect_equal(largest_section(cutter, water, &kept), largest_section(cutter, water));
       if (step % 7 == 5) continue;  // nothing has moved
       if (step % 9 == 8) {
         afloat = {2.0 + 2.0 * unit(random), step % 2 ? 0.02 : 0.0, step > 30 ? 0.1 : 0.0};
@@ -90,6 +95,16 @@ TEST(KeptStations, RefuseWhatSectionAreasRefuse) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THROW(kept.section_areas({nan}, {Vector3d::UnitZ(), 1.0}), std::invalid_argument);
   EXPECT_EQ(kept.section_areas({}, {Vector3d::UnitZ(), 1.0}).size(), 0u);
+}
+
+TEST(KeptStations, AreOfOneBody) {
+  const surface::LimitSurface box{mesh::ControlMesh(testing::creased_box(40.0, 8.0, 5.0))};
+  const HullBody body(box, false), other(box, false);
+  KeptStations kept(body);
+  const Hydrostatics found = hydrostatics(body, {3.0}, {}, kSeaWaterDensity, &kept);
+  expect_equal(found.largest_section, hydrostatics(body, {3.0}, {}).largest_section);
+  EXPECT_GT(kept.station_count(), 9u);
+  EXPECT_THROW(hydrostatics(other, {3.0}, {}, kSeaWaterDensity, &kept), std::invalid_argument);
 }
 
 }  // namespace

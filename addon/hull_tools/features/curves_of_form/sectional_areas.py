@@ -73,17 +73,8 @@ def _computed(ship, stations, where):
     if ship.moved is None:
         found = native.require().section_areas(ship.body, stations, **where.position())
     else:
-        found = _kept_stations(ship).section_areas(stations, **where.position())
+        found = ship.kept_stations.section_areas(stations, **where.position())
     return Areas(*(getattr(found, f.name) for f in fields(Areas)))
-
-
-def _kept_stations(ship):
-    """The hull_native.KeptStations of a body that follows edits."""
-    body, kept = ship.memory.get("kept stations", (None, None))
-    if body is not ship.body:
-        kept = native.require().KeptStations(ship.body)
-        ship.memory["kept stations"] = ship.body, kept
-    return kept
 
 
 def _merged(known, new, stays):

@@ -136,13 +136,15 @@ def at(ship, where):
     return described(ship.hydrostatics(where), where)
 
 
-def computed(body, where):
-    """The hull_native.Hydrostatics of a hull_native.HullBody.
+def computed(body, where, kept_stations=None):
+    """The hull_native.Hydrostatics of a hull_native.HullBody, of which stations may be kept.
 
     ValueError when nothing is under water or the shell is open there, when the body floods, or
     faces are turned.
     """
-    found = native.require().hydrostatics(body, **where.position(), **where.project())
+    found = native.require().hydrostatics(
+        body, **where.position(), **where.project(), kept_stations=kept_stations
+    )
     if found.displaced_volume <= 0.0:
         raise ValueError(why_no_volume(found, where.draft))
     return found

@@ -36,9 +36,19 @@ class Ship:
         key = (self.moved and self.moved.after, where)
         known_key, known = self.memory.get("hydrostatics", (None, None))
         if known_key != key:
-            known = hydrostatics.computed(self.body, where)
+            kept = None if self.moved is None else self.kept_stations
+            known = hydrostatics.computed(self.body, where, kept)
             self.memory["hydrostatics"] = key, known
         return known
+
+    @property
+    def kept_stations(self):
+        """The hull_native.KeptStations of a body that follows edits."""
+        body, kept = self.memory.get("kept stations", (None, None))
+        if body is not self.body:
+            kept = native.require().KeptStations(self.body)
+            self.memory["kept stations"] = self.body, kept
+        return kept
 
 
 @dataclass(frozen=True, eq=False)
