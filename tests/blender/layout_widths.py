@@ -13,8 +13,9 @@ SIDEBAR = (280.0 if bpy.app.version >= (4, 0, 0) else 220.0) - 55.0
 
 _TEXT = 11  # points
 _FONT = 0
-_NUMBER, _CHECKBOX, _BUTTON, _DROPDOWN, _LABEL = 33.0, 17.0, 12.0, 26.0, 4.0
+_NUMBER, _CHECKBOX, _BUTTON, _DROPDOWN, _LABEL = 33.0, 17.0, 6.0, 26.0, 4.0
 _ICON = 20.0
+_SPLIT_PART = 0.4  # what names get where they are split from their fields
 _NAME_PART = 0.25  # what the names of texts and of choices get of a field's width
 
 
@@ -34,12 +35,15 @@ def text_width(text):
 class Measuring:
     """Stands for a layout. `faults(width)` are the texts that are cut off at a width."""
 
+    scale_x, alignment, use_property_split = 1.0, "EXPAND", False
+
     def __init__(self, parts="COLUMN", factor=0.0):
         self._parts, self._factor = parts, factor
         self._items = []  # pairs (width that is needed, what it is), or Measuring
 
     def _child(self, parts, factor=0.0):
         child = Measuring(parts, factor)
+        child.use_property_split = self.use_property_split
         self._items.append(child)
         return child
 
@@ -108,6 +112,12 @@ class Measuring:
         prop = data.bl_rna.properties[name]
         shown = prop.name if text is None else text
         _icon_width(icon)
+        if self.use_property_split and shown and prop.type != "BOOLEAN":
+            beside = self.split(factor=_SPLIT_PART)
+            beside.use_property_split = False
+            beside.label(text=shown)
+            beside.prop(data, name, text="")
+            return
         if icon_only or (not shown and prop.type == "BOOLEAN"):
             self._add(_ICON, "")
         elif prop.type == "BOOLEAN":
@@ -140,17 +150,27 @@ class Measuring:
         needs = [item.needed() if isinstance(item, Measuring) else item[0] for item in self._items]
         return sum(needs) if self._parts in ("ROW", "SPLIT") else max(needs, default=0.0)
 
+    def natural(self):
+        """The width that Blender shares a row out by."""
+        sizes = self._natural_sizes()
+        whole = sum(sizes) if self._parts in ("ROW", "SPLIT") else max(sizes, default=0.0)
+        return self.scale_x * whole
+
+    def _natural_sizes(self):
+        """A panel's texts have ten units whatever they are, unless they are put to one side."""
+        return [_natural(item, self.alignment != "EXPAND") for item in self._items]
+
     def texts(self):
         for item in self._items:
             yield from item.texts() if isinstance(item, Measuring) else (item[1],)
 
     def faults(self, width):
-        if self._parts == "ROW" and len(self._items) > 1:
-            if self.needed() > width:
-                yield f"{self.needed():.0f} of {width:.0f}: {' | '.join(self.texts())}"
-            return
+        natural = self._natural_sizes()
+        fixed = sum(one for one in natural if one <= _ICON)
         for index, item in enumerate(self._items):
             room = width
+            if self._parts == "ROW" and natural[index] > _ICON:
+                room = (width - fixed) * natural[index] / (sum(natural) - fixed)
             if self._parts == "SPLIT" and len(self._items) > 1:
                 rest = (1.0 - self._factor) / (len(self._items) - 1)
                 room = width * (rest if index else self._factor)
@@ -158,6 +178,15 @@ class Measuring:
                 yield from item.faults(room)
             elif item[0] > room:
                 yield f"{item[0]:.0f} of {room:.0f}: {item[1]}"
+
+
+def _natural(item, is_as_needed):
+    if isinstance(item, Measuring):
+        return item.natural()
+    width, text = item
+    if is_as_needed:
+        return width
+    return 10.0 * _ICON if text else _ICON
 
 
 class _Anything:

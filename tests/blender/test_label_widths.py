@@ -188,3 +188,12 @@ def test_all_fields_of_a_large_ship_in_feet():
                 units.system = system
                 found[system] = set(faults())
             assert found["IMPERIAL"] <= found["METRIC"]
+
+
+@pytest.mark.parametrize("kind", ["RUDDER", "BULB_KEEL", "TUNNEL"])
+def test_forms_of_appendages(ship, kind):
+    assert bpy.ops.hull.add_appendage(kind=kind) == {"FINISHED"}
+    bpy.context.view_layer.update()
+    assert bpy.context.object.hull.appendage.shape
+    found = faults()
+    assert not found, "\n".join(found)

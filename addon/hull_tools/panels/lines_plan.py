@@ -33,7 +33,7 @@ class HULL_PT_lines_plan(HullPanel, bpy.types.Panel):
         row.operator("hull.export_table", text="Offsets", icon="EXPORT").analysis = "offset_table"
         row = layout.row(align=True)
         row.operator("hull.export_view", text="View", icon="EXPORT")
-        row.operator("hull.export_curves", text="Lines in Space", icon="EXPORT")
+        row.operator("hull.export_curves", text="3D Lines", icon="EXPORT")
         row = layout.row(align=True)
         row.operator("hull.export_curvature", text="Curvature", icon="EXPORT")
         row.operator("hull.export_figures", text="Figures", icon="EXPORT")

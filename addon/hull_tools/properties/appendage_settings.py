@@ -78,8 +78,8 @@ class HullAppendage(bpy.types.PropertyGroup):
     lean: _length("Lean", "How far the tip is to port of the root", None)
     chord: _length("Root chord", "Length of the section at the root")
     tip_chord: _length("Tip chord", "Length of the section at the tip; 0: as at the root")
-    thickness: _ratio("Root thickness")
-    tip_thickness: _ratio("Tip thickness")
+    thickness: _ratio("Root t/c")
+    tip_thickness: _ratio("Tip t/c")
 
 
 CLASSES = (HullAppendage,)
