@@ -12,7 +12,7 @@ import hull_io
 import hull_native as hn
 import numpy as np
 import pytest
-from hull_native.drawings import plots
+from hull_native.drawings import hydrostatic_plots, plotted_numbers
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -120,7 +120,9 @@ def test_given_slopes_and_top_are_kept():
     )
     assert any(t["text"] == "max 1.000 m at 45.0°" for t in sheet_of(plot).labels)
     # With its slopes a sine is cubic between 15° steps to h⁴ / 384 times its fourth derivative.
-    fair_angles, fair_levers = plots._fair(coarse, np.sin(2.0 * coarse), 2.0 * np.cos(2.0 * coarse))
+    fair_angles, fair_levers = plotted_numbers.fair(
+        coarse, np.sin(2.0 * coarse), 2.0 * np.cos(2.0 * coarse)
+    )
     bound = 16.0 * math.radians(15.0) ** 4 / 384.0
     assert np.abs(fair_levers - np.sin(2.0 * fair_angles)).max() <= bound
 
@@ -157,7 +159,9 @@ def test_the_legend_of_a_card_names_all_curves(size):
     sheet = hn.lay_out_plot(plot, width_mm=size[0], height_mm=size[1])
     texts = [label["text"] for label in sheet.labels]
     assert not any("more" in text or "…" in text for text in texts), texts
-    rows = [quantity for quantity in plots.QUANTITIES if quantity.name in plot.curve_names]
+    rows = [
+        quantity for quantity in hydrostatic_plots.QUANTITIES if quantity.name in plot.curve_names
+    ]
     assert len(rows) == len(plot.curve_names) > 12
     if "Divisions (div)" not in texts:
         assert all(any(text.startswith(one.name) for text in texts) for one in rows)

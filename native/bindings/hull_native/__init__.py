@@ -195,11 +195,11 @@ _LATER = {
     "write_shop_booklet": "._drawing",
     "lay_out_plot": "._drawing",
     "write_plot": "._drawing",
-    "sectional_area_plot": ".drawings.plots",
-    "hydrostatic_curves_plot": ".drawings.plots",
-    "bonjean_plot": ".drawings.plots",
-    "righting_lever_plot": ".drawings.plots",
-    "cross_curves_plot": ".drawings.plots",
+    "sectional_area_plot": ".drawings.hydrostatic_plots",
+    "hydrostatic_curves_plot": ".drawings.hydrostatic_plots",
+    "bonjean_plot": ".drawings.hydrostatic_plots",
+    "righting_lever_plot": ".drawings.stability_plots",
+    "cross_curves_plot": ".drawings.stability_plots",
     "PlotUnits": ".drawings.plot_units",
 }
 
