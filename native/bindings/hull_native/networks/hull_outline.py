@@ -15,10 +15,10 @@ import numpy as np
 
 from .._core import tolerances
 from ..polylines import end_to_end, lengths_along, points_at
+from .contour_ends import find_ends
 from .network_reasons import beside_centre_plane, no_regions, no_shell
+from .network_sheets import Sheets
 
-# Points on an edge of the network.
-_EDGE_PARTS = 8
 # Of the length: places are the same, in one plane as curves drawn by hand are; the curves reach no
 # further beyond the centre plane.
 _SAME, _PLANE, _BEYOND = 1e-7, 1e-4, 1e-4
@@ -32,11 +32,6 @@ _ACROSS, _OPEN_END, _OPEN_REACH = 0.7, 0.3, 0.05
 _LEAST_CREASE = 4
 # Cosine of the turn below which a knuckle line is another one.
 _GOES_ON = 0.94
-# Steepness of the contour, degrees, beyond which it is stem or stern post; where it is nowhere so
-# steep the next one.
-_STEEP = (45.0, 30.0, 20.0, 10.0)
-# Above a stern post the contour arches: it is as steep as this over so much of the depth.
-_POST, _POST_HEIGHT = 50.0, 0.12
 
 
 @dataclass
@@ -76,60 +71,12 @@ class HullOutline:
         return points_at(self.contour, self.lengths, at)
 
 
-class _Sheets:
-    """Regions joined over edges along which the surface is smooth."""
-
-    def __init__(self, network):
-        self.network = network
-        self.edges = np.asarray(network.edges)
-        self.curve_of = np.asarray(network.edge_curves)
-        self.regions = defaultdict(list)  # of edges: (region, whether it is gone along)
-        self.sides = [network.sides(region) for region in range(network.region_count)]
-        for region, sides in enumerate(self.sides):
-            for side in sides:
-                for edge, is_along in side:
-                    self.regions[edge].append((region, is_along))
-        known = [curve.kind == "knuckle" for curve in network.curves]
-        creases = set(np.asarray(network.crease_edges).tolist())
-        self.is_known = [known[curve] for curve in self.curve_of]
-        self.is_crease = [
-            len(self.regions[edge]) < 2 or edge in creases or self.is_known[edge]
-            for edge in range(len(self.edges))
-        ]
-        self.sheet_of = self._joined()
-
-    def _joined(self):
-        sheet_of = np.full(len(self.sides), -1)
-        for first in range(len(self.sides)):
-            if sheet_of[first] >= 0:
-                continue
-            sheet = sheet_of.max() + 1
-            sheet_of[first], todo = sheet, [first]
-            while todo:
-                for side in self.sides[todo.pop()]:
-                    for edge, _ in side:
-                        if self.is_crease[edge]:
-                            continue
-                        for other, _ in self.regions[edge]:
-                            if sheet_of[other] < 0:
-                                sheet_of[other] = sheet
-                                todo.append(other)
-        return sheet_of
-
-    def edges_of(self, sheet):
-        regions = np.flatnonzero(self.sheet_of == sheet)
-        return {edge for region in regions for side in self.sides[region] for edge, _ in side}
-
-    def points(self, edge):
-        return self.network.edge_points(int(edge), _EDGE_PARTS)
-
-
 def hull_outline(network):
     """The HullOutline of a CurveNetwork of a half hull. ValueError that names what the network has
     not, or has too many of."""
     if network.region_count == 0:
         raise ValueError(no_regions(network))
-    sheets = _Sheets(network)
+    sheets = Sheets(network)
     points = np.concatenate([sheets.points(edge) for edge in range(len(sheets.edges))])
     low, high = points.min(axis=0), points.max(axis=0)
     length = float(high[0] - low[0])
@@ -156,13 +103,6 @@ def hull_outline(network):
     outline.knuckles = _knuckles(sheets, in_shell, length)
     find_ends(outline)
     return outline
-
-
-def find_ends(outline):
-    """Tells an outline that has its lines where stem, stern post and arch are. ValueError where the
-    contour rises to none."""
-    _find_stem(outline)
-    _find_post(outline)
 
 
 def _in_centre_plane(low, high):
@@ -310,42 +250,3 @@ def _knuckles(sheets, in_shell, length):
                 )
             )
     return end_to_end(lines, _SAME * length, _GOES_ON)
-
-
-def _slopes(outline):
-    """Lengths along the contour, points there, and the steepness between them, degrees."""
-    at = np.linspace(0.0, outline.lengths[-1], 600)
-    points = outline.on_contour(at)
-    way = np.diff(points, axis=0)
-    return at, points, np.degrees(np.arctan2(way[:, 2], way[:, 0]))
-
-
-def _find_stem(outline):
-    if outline.forward is not None:
-        return
-    at, points, angles = _slopes(outline)
-    amidships = 0.5 * (outline.low[0] + outline.high[0])
-    is_forward = points[:-1, 0] > amidships
-    for steep in _STEEP:
-        found = np.flatnonzero(is_forward & ((angles > steep) | (angles < -100.0)))
-        if len(found) and found[0] < len(angles) - 8:
-            outline.stem = float(at[found[0]])
-            return
-    raise ValueError("The contour rises to no stem, and there is no flat bow: give the stem.")
-
-
-def _find_post(outline):
-    at, points, angles = _slopes(outline)
-    is_aft = points[:-1, 0] < 0.5 * (outline.low[0] + outline.high[0])
-    if outline.aft is not None:
-        found = np.flatnonzero((np.abs(angles) > _POST) & is_aft)
-        depth = outline.high[2] - outline.low[2]
-        if len(found) and points[found[0], 2] - points[found[-1], 2] > _POST_HEIGHT * depth:
-            outline.arch, outline.post = float(at[found[0]]), float(at[found[-1] + 1])
-        return
-    for steep in _STEEP:
-        found = np.flatnonzero(is_aft & ((angles < -steep) | (angles > 100.0)))
-        if len(found) and found[-1] > 8:
-            outline.post = float(at[found[-1] + 1])
-            return
-    raise ValueError("The contour rises to no stern, and there is no transom: give the stern.")
