@@ -75,8 +75,8 @@ def test_a_drag_pulls_the_surface_and_all_follows(window):
     assert_follows(hull)
 
 
-def test_escape_leaves_all_as_it_was(window):
-    hull, grip = begin(window, "feature")
+def pull_away(window, hull, grip):
+    """Pulls, and does not let go; the snapshot of before. To be used by `yield from`."""
     before = snapshot(hull)
     yield
     start_pulling(window)
@@ -86,6 +86,12 @@ def test_escape_leaves_all_as_it_was(window):
     window.move_by(40, 40)
     yield
     assert not are_equal(snapshot(hull), before)
+    return before
+
+
+def test_escape_leaves_all_as_it_was(window):
+    hull, grip = begin(window, "feature")
+    before = yield from pull_away(window, hull, grip)
     window.press("ESC")
     window.let_go("LEFTMOUSE")
     yield
@@ -217,16 +223,9 @@ def test_what_ends_the_pull_leaves_all_as_it_was(window):
         ended.append((operator._pull.obj.name, edited_points(operator._pull.obj)))
 
     hull, grip = begin(window, "feature")
-    before, name = snapshot(hull), hull.name
-    yield
+    name = hull.name
     operator_class.take_back = noted
-    start_pulling(window)
-    window.move_to_point(hull, Vector(grip.point))
-    yield
-    window.hold("LEFTMOUSE")
-    window.move_by(40, 40)
-    yield
-    assert not are_equal(snapshot(hull), before)
+    before = yield from pull_away(window, hull, grip)
     bpy.ops.wm.read_homefile()
     yield
     operator_class.take_back = take_back
