@@ -179,6 +179,17 @@ def test_a_scale_that_is_not_applied_is_followed():
     assert not bpy.ops.hull.follow_scale.poll()
 
 
+def test_a_scale_that_cannot_be_followed_stays():
+    hull = load("coaster")
+    hull.scale = (2000.0, 1.0, 1.0)
+    bpy.context.view_layer.update()
+    points = mesh_points(hull)
+    with pytest.raises(RuntimeError, match="cannot become 2000 times"):
+        bpy.ops.hull.follow_scale()
+    assert tuple(hull.scale) == (2000.0, 1.0, 1.0)
+    assert np.array_equal(mesh_points(hull), points)
+
+
 def test_an_applied_scale_is_noticed_and_followed():
     hull = load("coaster")
     found = part("features.dimensions.dimensions")

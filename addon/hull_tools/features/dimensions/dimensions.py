@@ -228,5 +228,6 @@ def _apply(obj, scene, factors):
     if reason:
         raise ValueError(reason)
     check_single_user(obj.data)
+    scale = scaling.Scale(factors)  # refused while the object has its own still
     obj.scale = obj.delta_scale = (1.0, 1.0, 1.0)
-    scale_hull(obj, scene, factors)
+    _move(obj, scene, scale)
