@@ -187,6 +187,16 @@ def test_a_hull_that_is_scaled_scales_its_target():
     assert [point.area for point in points] == pytest.approx([0.0, 72.0, 12.0], rel=SINGLE)
 
 
+def test_a_target_is_measured_by_the_scenes_unit():
+    hull = sample()
+    bpy.ops.hull.take_area_curve()
+    before = live(hull).curve
+    bpy.context.scene.unit_settings.scale_length = 0.5
+    after = live(hull).curve
+    assert after.ends == pytest.approx([0.5 * end for end in before.ends])
+    assert live(hull).volume == pytest.approx(0.5 * before.volume()[0])
+
+
 def test_nonsense_is_refused():
     hull = add_hull()
     hull.hull.length_pp, hull.hull.beam, hull.hull.draft = 10.0, 4.0, 1.0
