@@ -95,6 +95,33 @@ def test_a_free_dimension_takes_the_particulars_along():
     assert after.project_block == pytest.approx(cb, rel=SINGLE)
 
 
+def test_a_wanted_gm_is_had_while_the_draft_is_free():
+    hull = sample()
+    hull.hull.loading.kg = 5.0
+    before, settings = values_of(hull), hull.hull.targets
+    settings.moving, settings.free_draft, settings.free_beam = "NONE", True, True
+    wanted = before.kmt - 5.0 + 0.1
+    add(hull, "GM", wanted)
+    add(hull, "VOLUME", 1.05 * before.displaced_volume)
+    assert bpy.ops.hull.solve_targets() == {"FINISHED"}
+    report = report_of(hull)
+    assert report.is_met and report.scale[2] > 1.01
+    assert values_of(hull).kmt - hull.hull.loading.kg == pytest.approx(wanted, abs=1e-4)
+    assert report.rows[0].reached == pytest.approx(wanted, abs=1e-4)
+
+
+def test_what_was_asked_for_is_told_whatever_the_rows_are_by_then():
+    hull = sample()
+    volume = 1.01 * values_of(hull).displaced_volume
+    add(hull, "VOLUME", volume)
+    task = part("features.targets.targets").Solving(hull, bpy.context.scene)
+    row = hull.hull.targets.rows[0]
+    row.quantity, row.use = "CB", False
+    report = task.write(bpy.context.scene)
+    assert [(row.label, row.wanted) for row in report.rows] == [("∇", f"= {volume:g}")]
+    assert values_of(hull).displaced_volume == pytest.approx(volume, rel=SINGLE)
+
+
 def test_what_cannot_be_met_is_told():
     hull = sample()
     settings, before = hull.hull.targets, values_of(hull)

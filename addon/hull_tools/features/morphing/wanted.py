@@ -37,6 +37,8 @@ class Finding(jobs.JobTask):
         conversions.clear_way(obj)
         morph, self._key = obj.hull.morph, self.state.ship.geometry_key
         family = parents.family_of(obj, self._scale, members.factors_of(morph)).native
+        # Rows and KG may be others when it is written.
+        self._told, self._kg = asked.told(obj), rows.kg_of(obj, self._scale)
         targets = [asked.form_target(row, obj, self._scale) for row in wanted_rows]
         start = weights.read(morph)
         options = asked.options(obj, self.state.ship.source, self._scale)
@@ -59,11 +61,11 @@ class Finding(jobs.JobTask):
         for weight in found:
             limits.within(weight, "A weight that would be needed", *limits.MORPH_WEIGHTS)
         surface = self.state.ship.source.new_surface()
-        told, kg = asked.told(obj), rows.kg_of(obj, self._scale)
         form_before.note(obj, surface)
-        _show(obj, scene, found, np.asarray(reached.scale))
+        with rows.kg_stays(obj, self._told):
+            _show(obj, scene, found, np.asarray(reached.scale))
         state = hull_state.follow_edit(obj, scene, is_by_hand=False)
-        return reports.note(state, reached, reports.rows_reached(told, reached, kg))
+        return reports.note(state, reached, reports.rows_reached(self._told, reached, self._kg))
 
 
 def _show(obj, scene, found, factors):

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Rows of Object.hull.targets: what they ask for, what is at present, how they come and go."""
 
+from contextlib import contextmanager
+
 from ...bridge import limits
 from ...bridge.blender import units
 from ..hull import hull_state
@@ -23,6 +25,17 @@ def wanted(row):
 
 def kg_of(obj, scale):
     return units.as_typed(obj.hull.loading.kg) * scale
+
+
+@contextmanager
+def kg_stays(obj, told):
+    """A hull may be scaled here: where a GM is wanted, told as pairs (Quantity, …), its KG does not
+    go along, for that is what KMt was found by."""
+    loading = obj.hull.loading
+    before = loading.kg, loading.kg_is_guess
+    yield
+    if any(quantity.identifier == quantities.GM for quantity, _ in told):
+        loading.kg, loading.kg_is_guess = before
 
 
 def present(row, obj, scene):

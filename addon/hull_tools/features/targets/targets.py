@@ -28,13 +28,15 @@ class Solving(jobs.JobTask):
 
     def __init__(self, obj, scene):
         self.state = hull_state.up_to_date(obj, scene)
-        self._rows = rows.in_use(obj)
+        wanted = rows.in_use(obj)
         conversions.clear_way(obj)
         self.scale, self._before = units.metres_per_unit(scene), AsItWas(obj, "solve it again")
         control = hull_mesh.read(obj).control(self.scale)
         self._ids, self._points = control.vertex_ids, control.points
         surface = self._surface = self.state.ship.source.new_surface()
-        self._targets = [asked.form_target(row, obj, self.scale) for row in self._rows]
+        # Rows and KG may be others when it is written.
+        self._told, self._kg = asked.told(obj), rows.kg_of(obj, self.scale)
+        self._targets = [asked.form_target(row, obj, self.scale) for row in wanted]
         _check_breadth(obj, surface, self._targets, self.scale)
         options = _options(obj, surface, control, self.state.ship.source, self.scale)
         solve = held_points.solver(obj.hull.targets.keep_side)
@@ -48,11 +50,11 @@ class Solving(jobs.JobTask):
         ValueError when the hull is no longer what it was."""
         reached, beam_binds = self.result()
         obj = self._before.checked(scene)
-        kg = rows.kg_of(obj, self.scale)
         form_before.note(obj, self._surface)
-        found_rows = reports.rows_reached(asked.told(obj), reached, kg)
+        found_rows = reports.rows_reached(self._told, reached, self._kg)
         if np.any(np.asarray(reached.scale) != 1.0):
-            dimensions.scale_hull(obj, scene, reached.scale)
+            with rows.kg_stays(obj, self._told):
+                dimensions.scale_hull(obj, scene, reached.scale)
         mesh_points.write(obj.data, self._ids, (self._points + reached.moves) / self.scale)
         state = hull_state.follow_edit(obj, scene, is_by_hand=False)
         return reports.note(state, reached, found_rows, ["the greatest beam"] if beam_binds else [])
