@@ -127,6 +127,16 @@ def test_tables_are_read_and_scaled(tmp_path):
     assert live(hull).curve is None
 
 
+def test_a_table_of_a_ship_at_one_end_is_read(tmp_path):
+    hull = sample()
+    path = tmp_path / "areas.csv"
+    path.write_text("x,area\n0,0\n20,50\n40,0\n60,0\n80,0\n")
+    assert bpy.ops.hull.load_area_curve(filepath=str(path), handles=9) == {"FINISHED"}
+    assert live(hull).curve.at([20.0, 60.0]).tolist() == pytest.approx([50.0, 0.0])
+    with pytest.raises(RuntimeError, match="no area at any of 3 handles: take more"):
+        bpy.ops.hull.load_area_curve(filepath=str(path), handles=3)
+
+
 def test_our_own_table_is_read(tmp_path):
     hull = sample()
     path = str(tmp_path / "areas.csv")

@@ -78,11 +78,6 @@ class TargetCurve:
         """The same with all areas times a factor."""
         return TargetCurve(self.base_x, factor * self.base_areas, self.x, factor * self.areas)
 
-    def with_handles(self, count):
-        """The same with so many handles on it, as far from one another."""
-        x = np.linspace(*self.ends, count)
-        return TargetCurve(self.base_x, self.base_areas, x, self.at(x))
-
 
 @dataclass(frozen=True, eq=False)
 class PartWay:
@@ -111,11 +106,14 @@ class PartWay:
 
 
 def through(x, areas, handles):
-    """The TargetCurve whose base are areas (n,) at x (n,), with so many handles on it."""
+    """The TargetCurve whose base are areas (n,) at x (n,), with so many handles on it, as far from
+    one another. ValueError where none of them comes to lie where there is an area."""
     x, areas = np.asarray(x, dtype=np.float64), np.asarray(areas, dtype=np.float64)
-    return TargetCurve(x, areas, x[[0, len(x) // 2, -1]], areas[[0, len(x) // 2, -1]]).with_handles(
-        handles
-    )
+    places = np.linspace(x[0], x[-1], handles)
+    found = native.require().target_area_curve(x, areas, places)
+    if not np.any(found > 0.0):
+        raise ValueError(f"The curve has no area at any of {handles} handles: take more of them")
+    return TargetCurve(x, areas, places, found)
 
 
 @dataclass(frozen=True)
