@@ -69,6 +69,28 @@ def test_a_handle_is_dragged_and_taken_back(window):
     assert np.array_equal(values(hull_at_hand()), before)
 
 
+def test_what_was_dragged_without_a_target_can_be_done_again(window):
+    with window.in_view():
+        bpy.ops.hull.load_sample(name="coaster")
+    bpy.ops.ed.undo_push(message="begin")
+    window.look(hull_at_hand(), FROM_PORT)
+    with window.in_view():
+        assert bpy.ops.hull.drag_area_curve("INVOKE_DEFAULT") == {"RUNNING_MODAL"}
+    yield lambda: shown(window) is not None
+    drag(window, 4, 0, -24)
+    yield
+    window.press("RET")
+    yield
+    before, numbers = values(hull_at_hand()), part("features.area_curves.stored").numbers
+    base = numbers(hull_at_hand())[0]
+    with window.in_view():
+        assert bpy.ops.ed.undo_redo() == {"FINISHED"}
+    yield
+    assert np.abs(values(hull_at_hand()) - before).max() < 1e-4
+    assert np.array_equal(numbers(hull_at_hand())[0], base) and len(base)
+    assert hull_at_hand().hull.plots.sectional_areas
+
+
 def test_escape_leaves_the_target_as_it_was(window):
     hull = begin(window)
     yield lambda: shown(window) is not None

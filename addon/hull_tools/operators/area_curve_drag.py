@@ -2,7 +2,7 @@
 """The target area curve dragged by its handles in the plot over the view."""
 
 import bpy
-from bpy.props import StringProperty
+from bpy.props import BoolProperty, StringProperty
 
 from ..bridge import limits
 from ..bridge.objects import hull_objects
@@ -32,9 +32,24 @@ class HULL_OT_drag_area_curve(bpy.types.Operator, ViewDrag, HullOperator):
         "0 0; 40 70; 80 0",
         options={"SKIP_SAVE"},
     )
+    takes_present: BoolProperty(
+        name="Of the present curve",
+        description="Without a target the points move the present curve, which is taken first",
+        options={"HIDDEN", "SKIP_SAVE"},
+    )
 
     def run_on(self, hull, context):
-        handles.write_text(hull, self.points)
+        is_new = self.takes_present and not stored.is_there(hull)
+        if is_new:  # as it was when the handles were dragged, which Blender does again here
+            sources.take_present(hull, context.scene, _USUAL_HANDLES)
+        try:
+            handles.write_text(hull, self.points)
+        except ValueError:
+            if is_new:
+                stored.clear(hull)
+            raise
+        if is_new:
+            hull.hull.plots.sectional_areas = True
 
     def begin(self, context):
         hull = hull_objects.hull_of(context.object)
@@ -50,6 +65,7 @@ class HULL_OT_drag_area_curve(bpy.types.Operator, ViewDrag, HullOperator):
         if event.type in DONE and event.value == "PRESS":
             self._drag.set_frame(None)
             self.points = handles.text_of(self._drag.obj)
+            self.takes_present = self._is_new
             has_changed = self._is_new or self._drag.has_changed
             self._leave(context)
             return {"FINISHED"} if has_changed else {"CANCELLED"}
