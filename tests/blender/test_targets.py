@@ -122,6 +122,25 @@ def test_what_was_asked_for_is_told_whatever_the_rows_are_by_then():
     assert values_of(hull).displaced_volume == pytest.approx(volume, rel=SINGLE)
 
 
+@pytest.mark.parametrize(
+    "quantity, place", [("VOLUME", "draft"), ("CB", "beam"), ("GM", "loading.kg")]
+)
+def test_what_came_of_it_is_of_the_water_that_it_was_solved_in(quantity, place):
+    hull = sample()
+    hull.hull.loading.kg = 5.0
+    add(hull, quantity, 0.0, "at least")
+    bpy.ops.hull.solve_targets()
+    found = part("features.targets.reports").last_report
+    assert found(hull)[0].is_met and found(hull)[1]
+    holder = hull.hull.loading if quantity == "GM" else hull.hull
+    name = place.rpartition(".")[2]
+    before = getattr(holder, name)
+    for value, is_current in ((1.1 * before, False), (before, True)):
+        setattr(holder, name, value)
+        bpy.context.view_layer.update()
+        assert found(hull)[1] == is_current
+
+
 def test_what_cannot_be_met_is_told():
     hull = sample()
     settings, before = hull.hull.targets, values_of(hull)

@@ -65,7 +65,9 @@ class Finding(jobs.JobTask):
         with rows.kg_stays(obj, self._told):
             _show(obj, scene, found, np.asarray(reached.scale))
         state = hull_state.follow_edit(obj, scene, is_by_hand=False)
-        return reports.note(state, reached, reports.rows_reached(self._told, reached, self._kg))
+        return reports.note(
+            obj, state, reached, reports.rows_reached(self._told, reached, self._kg)
+        )
 
 
 def _show(obj, scene, found, factors):

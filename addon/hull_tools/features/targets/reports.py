@@ -10,6 +10,7 @@ from . import quantities
 # Of a price's own size: what does not bind.
 _NO_PRICE = 1e-9
 _DIMENSIONS = ("length", "beam", "draft")
+_GM = next(each.label for each in quantities.QUANTITIES if each.identifier == quantities.GM)
 
 
 @dataclass(frozen=True, eq=False)
@@ -30,10 +31,12 @@ class Reached:
 
 @dataclass(frozen=True, eq=False)
 class Report:
-    """What came of a solution. key: the geometry of the hull it gave; status: as hull_native's
-    TargetsReached has it; rows: Reached; rms in m; held: what else is at its limit, in words."""
+    """What came of a solution. key: the geometry of the hull it gave; lies: how that lay in the
+    water, see _as_it_lies; status: as hull_native's TargetsReached has it; rows: Reached; rms in m;
+    held: what else is at its limit, in words."""
 
     key: object
+    lies: tuple
     status: str
     rows: tuple
     iterations: int
@@ -76,13 +79,14 @@ def _row(told, before, reached, miss, price, kg):
     )
 
 
-def note(state, reached, rows, held=()):
-    """Notes the Report of a TargetsReached with its rows in a HullState that is up to date; returns
-    it. held: what else is at its limit, in words."""
+def note(obj, state, reached, rows, held=()):
+    """Notes the Report of a TargetsReached with its rows of a hull whose HullState is up to date;
+    returns it. held: what else is at its limit, in words."""
     prices = zip(_DIMENSIONS, reached.scale_prices)
     limits = [f"the limit of {name}" for name, price in prices if abs(price) > _NO_PRICE]
     report = state.of(LastSolution).report = Report(
         state.ship.geometry_key,
+        _as_it_lies(obj, rows),
         reached.status,
         rows,
         reached.iterations,
@@ -94,8 +98,17 @@ def note(state, reached, rows, held=()):
 
 
 def last_report(obj):
-    """(the Report of a hull's last solution or None, whether the hull is as that made it)."""
-    return hull_state.last_report(obj, LastSolution)
+    """(the Report of a hull's last solution or None, whether the hull is as that made it, and lies
+    in the water as it did)."""
+    report, is_current = hull_state.last_report(obj, LastSolution)
+    return report, is_current and report.lies == _as_it_lies(obj, report.rows)
+
+
+def _as_it_lies(obj, rows):
+    """What of a hull's settings the numbers of these Reached go by."""
+    names = ("draft", "trim_m", "heel", "length_pp", "beam", "water_density", "deck_closed")
+    has_gm = any(row.label == _GM for row in rows)
+    return tuple(getattr(obj.hull, name) for name in names), obj.hull.loading.kg if has_gm else None
 
 
 def missed(report):

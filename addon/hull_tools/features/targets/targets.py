@@ -57,7 +57,9 @@ class Solving(jobs.JobTask):
                 dimensions.scale_hull(obj, scene, reached.scale)
         mesh_points.write(obj.data, self._ids, (self._points + reached.moves) / self.scale)
         state = hull_state.follow_edit(obj, scene, is_by_hand=False)
-        return reports.note(state, reached, found_rows, ["the greatest beam"] if beam_binds else [])
+        return reports.note(
+            obj, state, reached, found_rows, ["the greatest beam"] if beam_binds else []
+        )
 
 
 def _check_breadth(obj, surface, wanted, scale):
