@@ -225,6 +225,18 @@ def test_another_quantity_begins_with_its_present_value():
     assert abs(row.value - values.lcb_percent) < 1e-5
 
 
+def test_a_section_begins_with_its_present_area():
+    hull = sample()
+    area = part("features.transformation.inflating").section_area
+    row = add(hull, "VOLUME", 1e3)
+    row.quantity = "SECTION_AREA"
+    assert row.value == pytest.approx(area(hull, bpy.context.scene, 0.0), abs=1e-5)
+    row.station = 0.5 * hull.hull.length_pp
+    assert bpy.ops.hull.take_present_target() == {"FINISHED"}
+    present = area(hull, bpy.context.scene, row.station)
+    assert present > 50.0 and row.value == pytest.approx(present)
+
+
 def test_nonsense_is_refused():
     hull = sample()
     row = add(hull, "VOLUME", 1e3)

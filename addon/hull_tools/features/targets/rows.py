@@ -3,8 +3,9 @@
 
 from contextlib import contextmanager
 
-from ...bridge import limits
+from ...bridge import limits, native
 from ...bridge.blender import units
+from ..flotation import afloat
 from ..hull import hull_state
 from . import quantities, wave_resistance
 
@@ -76,9 +77,27 @@ def take_present(row, obj, scene):
     """Makes the present value of a row's number the wanted one, where it is known."""
     if row.quantity == quantities.WAVES:
         wave_resistance.compute(row, obj, scene)
-    value = present(row, obj, scene)
+    is_section = row.quantity == quantities.SECTION
+    value = _section_area(row, obj, scene) if is_section else present(row, obj, scene)
     if value is not None:
         row.value = value
+
+
+def _section_area(row, obj, scene):
+    """At a row's station of the hull as it is, m²; None where it has none, or heels."""
+    state = hull_state.state_of(obj)
+    if state is None or state.status:
+        return None
+    scale = units.metres_per_unit(scene)
+    station = units.as_typed(row.station) * scale
+    try:
+        position = afloat.afloat(obj.hull, scale).position()
+        if position.pop("heel") != 0.0:
+            return None
+        body = state.ship.source.alone.new_ship().body
+        return float(native.require().section_areas(body, [station], **position).areas[0])
+    except ValueError:
+        return None  # solving says why
 
 
 def chosen_row(obj):
