@@ -86,6 +86,22 @@ def test_refusals_say_what_is_nearest_and_move_nothing():
         assert np.array_equal(points_of(hull), start)
 
 
+@pytest.mark.parametrize(
+    "wanted, said",
+    [
+        ({"measure": "BLOCK", "block": 0.7, "lcb_as": "NONE"}, "Give Lpp first: Cb"),
+        ({"measure": "NONE", "lcb_as": "PERCENT"}, "Give Lpp first: LCB"),
+    ],
+)
+def test_what_is_wanted_by_a_length_asks_for_it(wanted, said):
+    hull = sample()
+    hull.hull.length_pp = 0.0
+    before = points_of(hull)
+    with pytest.raises(RuntimeError, match=said):
+        bpy.ops.hull.change_displacement(**wanted)
+    assert np.array_equal(points_of(hull), before)
+
+
 def test_it_is_one_step_of_undo():
     hull = sample("coaster")
     bpy.ops.ed.undo_push(message="start")

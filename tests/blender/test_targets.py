@@ -225,6 +225,25 @@ def test_another_quantity_begins_with_its_present_value():
     assert abs(row.value - values.lcb_percent) < 1e-5
 
 
+@pytest.mark.parametrize(
+    "quantity, name, said",
+    [
+        ("CB", "length_pp", "Give Lpp first: Cb"),
+        ("CWP", "beam", "Give the beam first: Cwp"),
+        ("LCF_PERCENT", "length_pp", "Give Lpp first: LCF %"),
+        ("MIDSHIP_AREA", "length_pp", "Give Lpp first: Am"),
+    ],
+)
+def test_what_a_number_refers_to_is_asked_for(quantity, name, said):
+    hull = sample()
+    add(hull, quantity, 0.7)
+    setattr(hull.hull, name, 0.0)
+    before = points_of(hull)
+    with pytest.raises(RuntimeError, match=said):
+        bpy.ops.hull.solve_targets()
+    assert np.array_equal(points_of(hull), before)
+
+
 def test_a_section_begins_with_its_present_area():
     hull = sample()
     area = part("features.transformation.inflating").section_area

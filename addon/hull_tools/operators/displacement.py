@@ -100,6 +100,8 @@ class Displacement:
             lcb = scale * units.as_typed(self.lcb)
         elif self.lcb_as == "PERCENT":
             length = scale * units.as_typed(hull.hull.length_pp)
+            if not length > 0.0:
+                raise ValueError("Give Lpp first: LCB is wanted in % of it")
             lcb = length * (0.5 + 0.01 * units.as_typed(self.lcb_percent))
         return volume, lcb
 

@@ -8,6 +8,18 @@ from math import atan, cos, degrees, radians
 from ...bridge import limits
 from ...bridge.blender.units import as_typed
 
+# What numbers of hull_native refer to that a hull need not have, by the names of an Afloat.
+_REFERRED = {
+    "project.block": ("length_pp", "beam"),
+    "project.prismatic": ("length_pp",),
+    "project.midship": ("length_pp", "beam"),
+    "project.waterplane": ("length_pp", "beam"),
+    "lcb_percent": ("length_pp",),
+    "lcf_percent": ("length_pp",),
+    "midship_section.area": ("length_pp",),
+}
+_TITLES = {"length_pp": "Lpp", "beam": "the beam"}
+
 
 @dataclass(frozen=True)
 class Afloat:
@@ -45,6 +57,13 @@ class Afloat:
             "heel": self.heel,
             "draft_at": self.draft_at,
         }
+
+    def check_given(self, number, label):
+        """ValueError where a number of hull_native.FORM_NUMBERS, which people know by a label,
+        refers to a dimension that is not given: it would be zero whatever the form is."""
+        for name in _REFERRED.get(number, ()):
+            if not getattr(self, name) > 0.0:
+                raise ValueError(f"Give {_TITLES[name]} first: {label} refers to it")
 
     def project(self):
         """Arguments of hull_native.hydrostatics about ship and water; the design draft is the

@@ -17,6 +17,7 @@ def told(obj):
 def form_target(row, obj, scale):
     """The hull_native.FormTarget of a row."""
     quantity = quantities.quantity_of(row)
+    afloat.afloat(obj.hull, scale).check_given(quantity.number, quantity.label)
     value, tolerance = units.as_typed(row.value), units.as_typed(row.tolerance)
     limits.within(
         value, f"The wanted {quantity.label}", -limits.GREATEST_TARGET, limits.GREATEST_TARGET

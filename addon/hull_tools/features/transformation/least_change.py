@@ -73,6 +73,8 @@ class LeastMoves:
     def __init__(self, parent, asked):
         self.parent, self._asked, self._targets = parent, asked, asked.targets()
         limits.within(asked.stiffness, "Fairness", 0.0, limits.GREATEST_TARGET_STIFFNESS)
+        for name in asked.volume:
+            parent.where.check_given(_NUMBERS[name], _NAMES[name])
         self._position = parent.position()
         self._arguments = self._holds()
 
