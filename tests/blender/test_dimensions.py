@@ -140,7 +140,11 @@ def test_the_surfaces_own_length():
 
 @pytest.mark.parametrize(
     "wanted, said",
-    [({"length": 1e-6}, "cannot become"), ({"depth": float("nan")}, "above zero|cannot become")],
+    [
+        ({"length": 1e-6}, "cannot become"),
+        ({"length": 2e4}, "must be from 0 to 10000"),
+        ({"depth": float("nan")}, "above zero|cannot become"),
+    ],
 )
 def test_nonsense_is_refused_and_nothing_changes(wanted, said):
     hull = load("barge")

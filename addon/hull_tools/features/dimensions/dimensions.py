@@ -6,6 +6,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from ....hull_io import moving, scaling
+from ...bridge import limits
 from ...bridge.blender import units
 from ...bridge.blender.units import as_typed
 from ...bridge.mesh import mesh_points
@@ -99,6 +100,9 @@ class Start:
             scaling.factors(Dimensions(1.0, 1.0, 1.0, 1.0), draft=asked.draft)
         wanted = asked.dimensions()
         self._factors = scaling.factors(now, **wanted)
+        for name, value in wanted.items():
+            if value is not None:
+                limits.within(value, f"{name.capitalize()} in m", 0.0, limits.LONGEST)
         self.find = lambda progress: None
         if asked.keep:
             self.find = keeping.search(obj, scene, now, asked.keep, wanted, asked.of_surface)
