@@ -127,6 +127,18 @@ def test_tables_are_read_and_scaled(tmp_path):
     assert live(hull).curve is None
 
 
+def test_the_volume_of_a_hull_that_heels_is_not_taken():
+    hull = sample()
+    bpy.ops.hull.take_area_curve()
+    before = live(hull).volume
+    hull.hull.heel = 0.6
+    with pytest.raises(RuntimeError, match="set the heel to zero"):
+        bpy.ops.hull.scale_area_curve()
+    assert live(hull).volume == before
+    bpy.ops.hull.scale_area_curve(volume=4000.0)
+    assert live(hull).volume == pytest.approx(4000.0, rel=SINGLE)
+
+
 def test_a_table_of_a_ship_at_one_end_is_read(tmp_path):
     hull = sample()
     path = tmp_path / "areas.csv"

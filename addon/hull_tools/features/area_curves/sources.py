@@ -67,10 +67,7 @@ def scale_to_volume(obj, scene, volume=None):
 
 def present(obj, scene):
     """(sectional_areas.Areas of a hull as it is, upright; its Afloat), as close as can be."""
-    state = hull_state.up_to_date(obj, scene)
-    where = afloat.afloat(obj.hull, units.metres_per_unit(scene))
-    if where.heel:
-        raise ValueError("Area curves are of the ship upright: set the heel to zero first")
+    state, where = _upright(obj, scene)
     found = sectional_areas.compute(state.ship.source.alone.new_ship(), where).areas
     wet = np.flatnonzero(found.areas > 0.0)
     if len(wet) < 3:
@@ -81,9 +78,17 @@ def present(obj, scene):
 
 
 def _volume(obj, scene):
+    state, where = _upright(obj, scene)
+    return state.ship.source.alone.new_ship().hydrostatics(where).displaced_volume
+
+
+def _upright(obj, scene):
+    """(HullState, Afloat) of a hull as it is; ValueError where it heels."""
     state = hull_state.up_to_date(obj, scene)
     where = afloat.afloat(obj.hull, units.metres_per_unit(scene))
-    return state.ship.source.alone.new_ship().hydrostatics(where).displaced_volume
+    if where.heel:
+        raise ValueError("Area curves are of the ship upright: set the heel to zero first")
+    return state, where
 
 
 def _take(obj, scene, stations, handles, source):
