@@ -198,7 +198,9 @@ def test_finer_lines_than_can_be_told_apart(hull, settings, name, capfd):
 ANALYSES = [
     ("hydrostatic_table", "table.trims", "-1:1:0.004", "drafts at all trims"),
     ("hydrostatic_table", "table.draft_step", -1.0, "step"),
+    ("hydrostatic_table", "table.draft_step", float("nan"), "step"),
     ("hydrostatic_table", "table.draft_to", 1e30, "draft"),
+    ("bonjean_curves", "depth", 1e30, "Depth"),
     ("bonjean_curves", "lines.station_count", 10**9, "spaces"),
     ("righting_levers", "loading.heel_step", -0.1, "step"),
     ("righting_levers", "loading.heel_step", 0.0, "step"),

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...bridge import native
-from ...bridge.blender.units import METRIC, as_typed
+from ...bridge.blender.units import METRIC
 from ..flotation import afloat
 from ..lines.line_places import station_spaces
 
@@ -35,7 +35,8 @@ def inputs(settings, metres_per_unit):
     count = station_spaces(settings.lines) or _DRAFTS
     if where.length_pp <= 0.0:
         raise ValueError("Give Lpp first: stations divide the length between perpendiculars")
-    highest = max(as_typed(settings.depth) * metres_per_unit, where.draft)
+    depth = afloat.length_in_metres(metres_per_unit, settings.depth, "Depth")
+    highest = max(depth, where.draft)
     if highest <= 0.0:
         raise ValueError("Give a draft or a depth first")
     return Inputs(

@@ -45,7 +45,8 @@ def inputs(settings, metres_per_unit):
         for value in (table.draft_from, table.draft_to)
     )
     last = last or where.draft
-    step = as_typed(table.draft_step) * metres_per_unit or (last - first) / _DEFAULT_ROWS
+    step = afloat.length_in_metres(metres_per_unit, table.draft_step, "The step between drafts")
+    step = step or (last - first) / _DEFAULT_ROWS
     if not last > first:
         raise ValueError(f"The table's last draft, {last:g} m, must be greater than its first")
     if first == 0.0:  # nothing is under water
