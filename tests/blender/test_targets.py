@@ -141,6 +141,26 @@ def test_what_came_of_it_is_of_the_water_that_it_was_solved_in(quantity, place):
         assert found(hull)[1] == is_current
 
 
+@pytest.mark.parametrize("name", ["draft", "water_density"])
+def test_a_hull_that_lies_otherwise_meanwhile_stays(name):
+    hull = sample()
+    volume = values_of(hull).displaced_volume
+    add(hull, "VOLUME", 1.01 * volume)
+    scene, before = bpy.context.scene, points_of(hull)
+    least = part("features.transformation.least_change")
+    asked = least.Asked({"volume": 1.01 * volume})
+    for begin in (
+        lambda: part("features.targets.targets").Solving(hull, scene),
+        lambda: least.LeastChange(hull, scene, asked),
+    ):
+        task = begin()
+        setattr(hull.hull, name, 1.01 * getattr(hull.hull, name))
+        with pytest.raises(ValueError, match="changed meanwhile"):
+            task.write(scene)
+        part("features.conversion.conversions").take_finished()
+        assert np.array_equal(points_of(hull), before)
+
+
 def test_what_cannot_be_met_is_told():
     hull = sample()
     settings, before = hull.hull.targets, values_of(hull)

@@ -32,7 +32,7 @@ class Reached:
 @dataclass(frozen=True, eq=False)
 class Report:
     """What came of a solution. key: the geometry of the hull it gave; lies: how that lay in the
-    water, see _as_it_lies; status: as hull_native's TargetsReached has it; rows: Reached; rms in m;
+    water, see as_it_lies; status: as hull_native's TargetsReached has it; rows: Reached; rms in m;
     held: what else is at its limit, in words."""
 
     key: object
@@ -86,7 +86,7 @@ def note(obj, state, reached, rows, held=()):
     limits = [f"the limit of {name}" for name, price in prices if abs(price) > _NO_PRICE]
     report = state.of(LastSolution).report = Report(
         state.ship.geometry_key,
-        _as_it_lies(obj, rows),
+        as_it_lies(obj, rows),
         reached.status,
         rows,
         reached.iterations,
@@ -101,11 +101,11 @@ def last_report(obj):
     """(the Report of a hull's last solution or None, whether the hull is as that made it, and lies
     in the water as it did)."""
     report, is_current = hull_state.last_report(obj, LastSolution)
-    return report, is_current and report.lies == _as_it_lies(obj, report.rows)
+    return report, is_current and report.lies == as_it_lies(obj, report.rows)
 
 
-def _as_it_lies(obj, rows):
-    """What of a hull's settings the numbers of these Reached go by."""
+def as_it_lies(obj, rows):
+    """What of a hull's settings the numbers of these Reached, or Quantities, go by."""
     names = ("draft", "trim_m", "heel", "length_pp", "beam", "water_density", "deck_closed")
     has_gm = any(row.label == _GM for row in rows)
     return tuple(getattr(obj.hull, name) for name in names), obj.hull.loading.kg if has_gm else None

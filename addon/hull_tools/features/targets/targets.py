@@ -36,6 +36,7 @@ class Solving(jobs.JobTask):
         surface = self._surface = self.state.ship.source.new_surface()
         # Rows and KG may be others when it is written.
         self._told, self._kg = asked.told(obj), rows.kg_of(obj, self.scale)
+        self._lies = self._as_it_lies(obj, scene)
         self._targets = [asked.form_target(row, obj, self.scale) for row in wanted]
         _check_breadth(obj, surface, self._targets, self.scale)
         options = _options(obj, surface, control, self.state.ship.source, self.scale)
@@ -45,11 +46,20 @@ class Solving(jobs.JobTask):
         )
         conversions.watch(self)
 
+    def _as_it_lies(self, obj, scene):
+        asked_for = [quantity for quantity, _ in self._told]
+        return reports.as_it_lies(obj, asked_for), units.metres_per_unit(scene)
+
     def write(self, scene):
         """Moves the hull's control points to what is reached; returns the reports.Report.
-        ValueError when the hull is no longer what it was."""
+        ValueError when the hull is no longer what it was, or lies in the water otherwise."""
         reached, beam_binds = self.result()
         obj = self._before.checked(scene)
+        if self._as_it_lies(obj, scene) != self._lies:
+            raise ValueError(
+                "Water, KG or main dimensions were changed meanwhile, and the hull stays as it is: "
+                "solve it again"
+            )
         form_before.note(obj, self._surface)
         found_rows = reports.rows_reached(self._told, reached, self._kg)
         if np.any(np.asarray(reached.scale) != 1.0):

@@ -5,7 +5,9 @@ they began."""
 from dataclasses import replace
 
 from ...bridge.background import jobs
+from ...bridge.blender import units
 from ..conversion import conversions
+from ..flotation import afloat
 from ..hull.as_it_was import AsItWas
 from . import parents
 
@@ -31,5 +33,11 @@ class ParentTask(jobs.JobTask):
         return replace(self.parent, obj=self.unchanged(scene)).write(scene, moves, known)
 
     def unchanged(self, scene):
-        """The hull; ValueError when it is no longer what it was."""
-        return self._before.checked(scene)
+        """The hull; ValueError when it is no longer what it was, or lies in the water otherwise."""
+        obj = self._before.checked(scene)
+        if afloat.afloat(obj.hull, units.metres_per_unit(scene)) != self.parent.where:
+            raise ValueError(
+                "Water or main dimensions were changed meanwhile, and the hull stays as it is: "
+                "transform it again"
+            )
+        return obj
