@@ -102,6 +102,26 @@ def test_what_is_wanted_by_a_length_asks_for_it(wanted, said):
     assert np.array_equal(points_of(hull), before)
 
 
+def test_what_is_told_is_of_the_hull_without_its_appendages():
+    hull = sample()
+    scene, volume = bpy.context.scene, values(hull).displaced_volume
+    bpy.ops.hull.add_appendage(kind="TUNNEL", x=70.0, z=2.0, radius=1.0)
+    bpy.context.view_layer.update()
+    assert values(hull).displaced_volume < 0.999 * volume
+    least = part("features.transformation.least_change")
+    task = least.LeastChange(hull, scene, least.Asked({"volume": 1.01 * volume}))
+    found = task.write(scene).after
+    assert found.volume == pytest.approx(1.01 * volume, rel=SINGLE)
+    part("features.conversion.conversions").take_finished()
+    shifts = part("features.transformation.section_shifts")
+    found = shifts.shift(hull, scene, shifts.Wanted({"volume": volume})).after
+    assert found.volume == pytest.approx(volume, rel=SINGLE)
+    sources = part("features.area_curves.sources")
+    sources.take_present(hull, scene, 9)
+    found = part("features.area_curves.matching").Matching(hull, scene).write(scene)
+    assert abs(found.volume_change) < 1e-6 * volume
+
+
 def test_it_is_one_step_of_undo():
     hull = sample("coaster")
     bpy.ops.ed.undo_push(message="start")

@@ -4,6 +4,7 @@
 from dataclasses import dataclass
 
 from ..flotation import ship
+from ..transformation import parents
 from ..transformation.parent_task import ParentTask
 from . import stored
 from .approach import Approach, Asked
@@ -42,7 +43,7 @@ class Matching(ParentTask):
         longer what it was."""
         found, where, work = self.result(), self.parent.where, self._work
         before = ship.Ship(self.parent.body, ()).hydrostatics(where)
-        after = self.moved(scene, found.moves).ship.as_it_is().hydrostatics(where)
+        after = parents.hydrostatics_of(self.moved(scene, found.moves), where)
         return Report(
             found.status,
             work.difference(work.areas),

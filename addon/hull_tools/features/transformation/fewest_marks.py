@@ -7,7 +7,7 @@ from functools import partial
 
 from ....hull_fairness import changes, fewest_marks
 from ...bridge.counts import counted
-from . import fair_changes, form_parameters, least_change, reports, section_shifts
+from . import fair_changes, form_parameters, least_change, parents, reports, section_shifts
 from .parent_task import ParentTask
 
 # Of the work: the form before is judged itself, and six images of it.
@@ -99,7 +99,7 @@ class FewestMarks(ParentTask):
         what it was."""
         tried = self.result()
         state = self.moved(scene, tried[0].moves, self._known)
-        found = state.ship.as_it_is().hydrostatics(self.parent.where)
+        found = parents.hydrostatics_of(state, self.parent.where)
         return Changed(tried, form_parameters.of_hydrostatics(found))
 
 

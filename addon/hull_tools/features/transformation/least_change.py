@@ -9,7 +9,7 @@ import numpy as np
 from ...bridge import limits, native
 from ...bridge.mesh.mesh_check import on_centre_plane
 from ..constraints import held_points
-from . import form_parameters
+from . import form_parameters, parents
 from .parent_task import ParentTask
 
 # What hull_native.FORM_NUMBERS has for measures of displacement.
@@ -149,5 +149,5 @@ class LeastChange(ParentTask):
         what it was."""
         reached, where = self.result(), self.parent.where
         state = self.moved(scene, reached.moves)
-        after = form_parameters.of_hydrostatics(state.ship.as_it_is().hydrostatics(where))
+        after = form_parameters.of_hydrostatics(parents.hydrostatics_of(state, where))
         return Changed(after, reached.rms)

@@ -162,3 +162,12 @@ def of_hull(obj, scene):
     surface = source.new_surface()
     where = afloat.afloat(obj.hull, scale)
     return Parent(obj, scale, control, surface, source.new_body(surface), where)
+
+
+def hydrostatics_of(state, where):
+    """The hull_native.Hydrostatics at an Afloat of the hull of a HullState as a Parent has it:
+    without its appendages, its own bodies added up."""
+    source = state.ship.source
+    if not (source.appendages or source.once):
+        return state.ship.as_it_is().hydrostatics(where)
+    return ship.Ship(source.bare_body(source.new_surface()), ()).hydrostatics(where)

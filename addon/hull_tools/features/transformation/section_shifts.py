@@ -69,7 +69,7 @@ def shift(obj, scene, wanted):
     if wanted.prismatics is None and not result.converged:
         raise ValueError(NO_END)
     state = parent.write(scene, result.moves)
-    found = state.ship.as_it_is().hydrostatics(where)
+    found = parents.hydrostatics_of(state, where)
     reached = None
     if wanted.prismatics is not None:
         source = state.ship.source
