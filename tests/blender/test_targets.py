@@ -264,6 +264,27 @@ def test_what_a_number_refers_to_is_asked_for(quantity, name, said):
     assert np.array_equal(points_of(hull), before)
 
 
+def test_what_is_to_stay_stays_beside_an_appendage():
+    hull = sample()
+    own = values_of(hull).displaced_volume
+    bpy.ops.hull.add_appendage(kind="TUNNEL", x=70.0, z=2.0, radius=1.0)
+    bpy.context.view_layer.objects.active = hull
+    row = add(hull, "VOLUME", 0.0)
+    for quantity in ("CB", "VOLUME"):
+        row.quantity = quantity
+    assert values_of(hull).displaced_volume < 0.999 * own
+    assert row.value == pytest.approx(own, rel=SINGLE)
+    before = points_of(hull)
+    hull.data.vertices[3].co.y *= 1.001
+    hull.data.update()
+    bpy.context.view_layer.update()
+    shown = part("features.targets.rows").present(row, hull, bpy.context.scene)
+    assert shown == pytest.approx(own, rel=1e-3) and shown != own
+    part("bridge.mesh.mesh_points").write(hull.data, np.arange(len(before)), before)
+    assert bpy.ops.hull.solve_targets() == {"FINISHED"}
+    assert np.abs(points_of(hull) - before).max() < 1e-4
+
+
 def test_a_section_begins_with_its_present_area():
     hull = sample()
     area = part("features.transformation.inflating").section_area

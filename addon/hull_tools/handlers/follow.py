@@ -14,6 +14,7 @@ from ..features.hull import hull_state, late_joining, live_normals
 from ..features.morphing import members, pair_lines
 from ..features.networks import following as networks
 from ..features.surface import colour_views
+from ..features.targets import rows as targets
 from ..features.variants import following
 
 # Bringing a hull up to date changes its surface and lines, and Blender reports that in turn.
@@ -61,6 +62,7 @@ def _follow_one(hull, scene, is_by_hand):
         seen.follow(hull, scene)
     pair_lines.follow(hull, scene)
     live_target.follow(hull, scene)
+    targets.follow(hull, scene)
     if state.ship.waits:
         late_joining.ask()
     if state.shown.may_move(hull):

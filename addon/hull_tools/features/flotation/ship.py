@@ -79,6 +79,15 @@ class ShipSource:
         """The same without appendages."""
         return replace(self, appendages=())
 
+    @property
+    def is_joined(self):
+        """Whether the body is another than that of the hull alone, its own bodies added up."""
+        return bool(self.appendages) or self.once
+
+    def own_ship(self):
+        """The Ship of the hull alone, of which targets and transformations are."""
+        return Ship(self.bare_body(self.new_surface()), self.deck_edge)
+
     def new_ship(self, progress=None):
         return Ship(self.new_body(self.new_surface()), self.deck_edge, progress=progress)
 

@@ -2,12 +2,48 @@
 """Rows of Object.hull.targets: what they ask for, what is at present, how they come and go."""
 
 from contextlib import contextmanager
+from dataclasses import dataclass
 
 from ...bridge import limits, native
 from ...bridge.blender import units
-from ..flotation import afloat
+from ..flotation import afloat, hydrostatics
 from ..hull import hull_state
 from . import quantities, wave_resistance
+
+
+@dataclass
+class OwnNumbers:
+    """hydrostatics.HydrostaticValues of a hull without its appendages, of which targets are, or
+    None; by what they are of."""
+
+    values: object = None
+    key: tuple = None
+
+
+def follow(obj, scene):
+    """Brings them up to date, where rows ask for them and they are others than the hull's."""
+    state = hull_state.state_of(obj)
+    if state is None or state.status or not (obj.hull.targets.rows and _is_joined(state)):
+        return
+    own = state.of(OwnNumbers)
+    try:
+        where = afloat.afloat(obj.hull, units.metres_per_unit(scene))
+        key = state.ship.key, where
+        if own.key != key:
+            own.key, own.values = key, None
+            found = state.ship.source.own_ship().hydrostatics(where)
+            own.values = hydrostatics.described(found, where)
+    except ValueError:
+        return  # the panel Hydrostatics says why
+
+
+def _is_joined(state):
+    return state.ship.source is not None and state.ship.source.is_joined
+
+
+def _values(state):
+    """The hydrostatics.HydrostaticValues that targets begin with, as last computed, or None."""
+    return state.of(OwnNumbers).values if _is_joined(state) else state.hydrostatics.values
 
 
 def in_use(obj):
@@ -42,7 +78,7 @@ def kg_stays(obj, told):
 def present(row, obj, scene):
     """What a row's number is of the hull as it was last computed, in its unit; None: not known."""
     state = hull_state.state_of(obj)
-    values = None if state is None else state.hydrostatics.values
+    values = None if state is None else _values(state)
     if values is None:
         return None
     quantity = quantities.quantity_of(row)
@@ -75,6 +111,7 @@ def add_row(obj, quantity=None):
 
 def take_present(row, obj, scene):
     """Makes the present value of a row's number the wanted one, where it is known."""
+    follow(obj, scene)
     if row.quantity == quantities.WAVES:
         wave_resistance.compute(row, obj, scene)
     is_section = row.quantity == quantities.SECTION
@@ -94,7 +131,7 @@ def _section_area(row, obj, scene):
         position = afloat.afloat(obj.hull, scale).position()
         if position.pop("heel") != 0.0:
             return None
-        body = state.ship.source.alone.new_ship().body
+        body = state.ship.source.own_ship().body
         return float(native.require().section_areas(body, [station], **position).areas[0])
     except ValueError:
         return None  # solving says why

@@ -49,9 +49,10 @@ def compute(row, obj, scene):
         if of_hull.key != key:
             of_hull.key, of_hull.values = key, {}
         if position.pop("heel") == 0.0:
-            body = state.ship.source.ship.body
+            source = state.ship.source
+            found = source.own_ship() if source.is_joined else source.ship
             integral = native.require().MichellIntegral(
-                body, water_density=where.water_density, **position
+                found.body, water_density=where.water_density, **position
             )
             speed = speed_of(row)
             of_hull.values[speed] = integral.resistance([speed])[0].resistance

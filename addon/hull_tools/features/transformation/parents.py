@@ -168,6 +168,5 @@ def hydrostatics_of(state, where):
     """The hull_native.Hydrostatics at an Afloat of the hull of a HullState as a Parent has it:
     without its appendages, its own bodies added up."""
     source = state.ship.source
-    if not (source.appendages or source.once):
-        return state.ship.as_it_is().hydrostatics(where)
-    return ship.Ship(source.bare_body(source.new_surface()), ()).hydrostatics(where)
+    found = source.own_ship() if source.is_joined else state.ship.as_it_is()
+    return found.hydrostatics(where)
