@@ -211,6 +211,21 @@ def test_shape_keys_are_refused():
     assert not bpy.ops.hull.update.poll()
 
 
+def test_points_that_are_moved_are_so_in_the_basis_of_shape_keys():
+    hull = add_hull()
+    hull.shape_key_add(name="Basis")
+    before = mesh_points(hull)
+    assert bpy.ops.hull.set_dimensions(length=2.0 * LENGTH) == {"FINISHED"}
+    moved = mesh_points(hull)
+    assert np.ptp(moved[:, 0]) == pytest.approx(2.0 * np.ptp(before[:, 0]))
+    bpy.ops.object.mode_set(mode="EDIT")
+    edited = [vertex.co[:] for vertex in bmesh.from_edit_mesh(hull.data).verts]
+    assert (np.array(edited, dtype=np.float32) == moved).all()
+    bpy.ops.object.mode_set(mode="OBJECT")
+    bpy.context.view_layer.update()
+    assert (mesh_points(hull) == moved).all()
+
+
 def with_shape_keys(obj):
     obj.shape_key_add(name="Basis")
     obj.shape_key_add(name="other")

@@ -26,6 +26,9 @@ def write(mesh, indices, points):
         stored = read(mesh).astype(np.float32)
         stored[indices] = points
         mesh.vertices.foreach_set("co", stored.reshape(-1))
+        # Blender shows and edits the shape key that a hull may have, its basis, in their place.
+        if mesh.shape_keys is not None:
+            mesh.shape_keys.reference_key.data.foreach_set("co", stored.reshape(-1))
         mesh.update()
         return
     bm = bmesh.from_edit_mesh(mesh)
