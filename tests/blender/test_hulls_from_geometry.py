@@ -77,6 +77,21 @@ def test_a_mesh_becomes_a_hull_that_stands_upon_it():
     assert {obj.name for obj in bpy.data.objects} == before
 
 
+def test_a_mesh_is_known_after_it_was_renamed_meanwhile():
+    making, sources = part("features.geometry.making"), part("features.geometry.sources")
+    source = mesh_object("scan", *triangles_of(sample("barge")))
+    source.location = (200.0, 30.0, 5.0)
+    bpy.context.view_layer.update()
+    scene = bpy.context.scene
+    task = making.Making(sources.of_object(source, scene), making.Asked(BUDGET))
+    source.name = "another name"
+    other = mesh_object("scan", np.eye(3), [(0, 1, 2)])
+    hull, _ = task.write(scene, bpy.context.collection)
+    assert hull.hull.fit.target == source != other
+    assert hull.location.y == pytest.approx(30.0, abs=1e-4)
+    assert hull.location.x > 190.0
+
+
 def test_a_file_becomes_a_hull_on_a_ships_axes(tmp_path):
     coaster = sample("coaster")
     points, triangles = triangles_of(coaster)

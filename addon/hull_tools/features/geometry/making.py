@@ -80,7 +80,7 @@ class Making(jobs.JobTask):
         the origin."""
         made, scale = self.result(), units.metres_per_unit(scene)
         obj = hull_creation.hull_object(made.data, scene, collection)
-        source = scene.objects.get(self._source.object_name) if self._source.object_name else None
+        source = self._source.object_in(scene)
         if source is not None and _has_ship_axes(made.guess):
             obj.location = np.array(made.guess.origin) / scale
         elif self._asked.keeps_source:

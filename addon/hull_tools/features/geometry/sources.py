@@ -16,12 +16,16 @@ _FORMAT = "Blender"
 @dataclass(frozen=True, eq=False)
 class Source:
     """read: called with a function that is told the share done, returns a Geometry of hull_io; for
-    any thread. name: of the hull that is made of it, None: as the geometry's. object_name: of the
-    mesh object that it is, "" of a file."""
+    any thread. name: of the hull that is made of it, None: as the geometry's. address: of the mesh
+    object that it is, 0 of a file: it stays when the object is renamed."""
 
     read: object
     name: object = None
-    object_name: str = ""
+    address: int = 0
+
+    def object_in(self, scene):
+        """The mesh object that it is, None of a file, and where that is not in the scene."""
+        return next((obj for obj in scene.objects if obj.as_pointer() == self.address), None)
 
 
 def of_object(obj, scene):
@@ -39,7 +43,7 @@ def of_object(obj, scene):
         raise ValueError(f'"{obj.name}" has points without a place: delete them')
     mesh = geometry.GeometryMesh(points, triangles)
     found = geometry.Geometry(obj.name, _FORMAT, "m", meshes=(mesh,))
-    return Source(lambda progress: found, f"{obj.name} hull", obj.name)
+    return Source(lambda progress: found, f"{obj.name} hull", obj.as_pointer())
 
 
 def of_file(path):
