@@ -103,6 +103,25 @@ def test_weights_by_script():
     assert made.hull.morph.parents[1].weight == 0.5
 
 
+def test_hulls_are_known_after_they_were_renamed_meanwhile():
+    first, second = boxes((1.0, 1.0, 1.0), (2.0, 1.5, 0.5))
+    kept, gone = (bpy.data.materials.new(name) for name in ("kept", "gone"))
+    for material in (kept, gone):
+        first.data.materials.append(material)
+    scene, making = bpy.context.scene, part("features.morphing.making")
+    task = making.Morphing(first, [first, second], first, scene)
+    second.name, first.name = "another name", "box"
+    bpy.data.materials.remove(gone)
+    kept.name = "as well"
+    made = task.write(scene)
+    assert [entry.source for entry in made.hull.morph.parents] == [first, second]
+    assert made.data.materials[:] == [kept, None]
+    task = part("features.morphing.refitting").Refitting(made, scene)
+    made.name = "renamed"
+    task.write(scene)
+    assert_is_member(made)
+
+
 def test_what_is_no_pair_of_parents_is_refused():
     first, second = boxes((1.0, 1.0, 1.0), (2.0, 1.0, 1.0))
     make_active(first)

@@ -39,6 +39,15 @@ def test_a_wanted_displacement():
     assert_is_member(made)
 
 
+def test_the_member_is_known_after_it_was_renamed_meanwhile():
+    made = family()
+    add(made, "VOLUME", LENGTH * 1.8 * 2.0 * HALF_BREADTH * 1.4 * 1.25)
+    task = part("features.morphing.wanted").Finding(made, bpy.context.scene)
+    made.name = "renamed"
+    task.write(bpy.context.scene)
+    assert made.hull.morph.parents[1].weight == pytest.approx(0.8, abs=1e-6)
+
+
 def test_beyond_the_parents_and_further_than_that():
     made = family()
     row = add(made, "VOLUME", LENGTH * 2.2 * 2.0 * HALF_BREADTH * 1.6 * 1.25)

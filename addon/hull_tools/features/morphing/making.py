@@ -22,10 +22,11 @@ _PER_MILLE = 1e-3
 
 @dataclass(frozen=True, eq=False)
 class Taken:
-    """A hull as it was taken for a family: its name, flotation.ship.ShipSource, and what is told of
-    it then, in Blender's units."""
+    """A hull as it was taken for a family: its name, HullState, flotation.ship.ShipSource, and what
+    is told of it then, in Blender's units."""
 
     name: str
+    state: object
     source: object
     key: str
     particulars: tuple
@@ -58,7 +59,9 @@ class Morphing(jobs.JobTask):
         self._shape = self._taken[own] if own is not None else _taken(layout, scene)
         found = hull_mesh.read(layout)
         self._layout = layout_mesh.layout_of(layout, found, found.control(self.scale))
-        self._materials = [slot.material for slot in layout.material_slots]
+        # By address: undo makes materials anew, and they may be deleted.
+        slots = layout.material_slots
+        self._materials = [slot.material and slot.material.as_pointer() for slot in slots]
         self.state = hull_state.state_of(obj)
         conversions.clear_way(obj)
         choice = self._choice = _choice(obj.hull.morph, own, pairs, apart)
@@ -94,16 +97,18 @@ class Morphing(jobs.JobTask):
     def _objects(self, scene):
         found = []
         for taken in (*self._taken, self._shape):
-            obj = scene.objects.get(taken.name)
+            obj = hull_state.hull_with(taken.state, scene)
             if not hull_objects.is_hull(obj):
                 raise ValueError(_GONE.format(taken.name))
             found.append(obj)
         return found[:-1], found[-1]
 
     def _store(self, obj, hulls, layout):
+        there = {material.as_pointer(): material for material in bpy.data.materials}
+        materials = [there.get(address) for address in self._materials]
         stored_parents.store(
             obj, self.result(), self._taken, hulls, (self._shape, layout),
-            (self._layout, self._materials), self.scale,
+            (self._layout, materials), self.scale,
         )  # fmt: skip
 
     @property
@@ -138,7 +143,7 @@ def _taken(obj, scene):
     if state.ship.source is None:
         raise ValueError(f'"{obj.name}" has no surface')
     key = parents.source_key(obj)
-    return Taken(obj.name, state.ship.source, key, parents.particulars_of(obj))
+    return Taken(obj.name, state, state.ship.source, key, parents.particulars_of(obj))
 
 
 def _choice(morph, own, pairs, apart):

@@ -14,14 +14,13 @@ class Refitting(making.Morphing):
         morph = obj.hull.morph
         _check_all_there(morph)
         hulls = [entry.source for entry in morph.parents]
-        self._name = obj.name
         super().__init__(obj, hulls, morph.layout_source, scene, *pairs.corrections(morph))
 
     def write(self, scene):
         """Gives the hull its new parents; its weights stay. ValueError where it, or a parent, was
         deleted meanwhile."""
-        obj = scene.objects.get(self._name)
-        if not hull_objects.is_hull(obj) or hull_state.state_of(obj) is not self.state:
+        obj = hull_state.hull_with(self.state, scene)
+        if not hull_objects.is_hull(obj):
             raise ValueError("The hull was changed meanwhile, and stays as it is: pair again")
         if obj.data.is_editmode:
             raise ValueError("Leave edit mode first (Tab), and pair again")

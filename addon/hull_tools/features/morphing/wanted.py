@@ -28,7 +28,7 @@ class Finding(jobs.JobTask):
         self.state = hull_state.up_to_date(obj, scene)
         if not members.is_of_family(obj):
             raise ValueError(members.NOT_OF_FAMILY)
-        self._name, self._scale = obj.name, units.metres_per_unit(scene)
+        self._scale = units.metres_per_unit(scene)
         if len(obj.hull.morph.local):
             raise ValueError(
                 "Weights for targets are those of the whole hull: remove its local parents first"
@@ -52,8 +52,8 @@ class Finding(jobs.JobTask):
         reports.Report. ValueError, all being as it was, when the hull is no longer what it was, and
         where that member is folded or too far beyond its parents."""
         found, reached = self.result()
-        obj = scene.objects.get(self._name)
-        if not hull_objects.is_hull(obj) or hull_state.state_of(obj) is not self.state:
+        obj = hull_state.hull_with(self.state, scene)
+        if not hull_objects.is_hull(obj):
             raise ValueError(_CHANGED)
         if self.state.ship.geometry_key != self._key or not members.is_of_family(obj):
             raise ValueError(_CHANGED)
