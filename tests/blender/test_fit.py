@@ -212,6 +212,23 @@ def test_what_is_missing_is_said():
         bpy.ops.hull.fit()
 
 
+@pytest.mark.parametrize("setting", ("target", "lines"))
+def test_what_has_no_shape_and_no_place_is_told_by_name(setting):
+    hull = add_hull()
+    hull.hull.fit.target = shape_of(wanted(hull), "whole")
+    odd = shape_of(wanted(hull), "odd")
+    setattr(hull.hull.fit, setting, odd)
+    odd.data.vertices[3].co.x = float("nan")
+    before = points_of(hull)
+    with pytest.raises(RuntimeError, match='"odd" has points without a place: delete them'):
+        bpy.ops.hull.fit()
+    # By a script: the field lets choose meshes and curves alone.
+    setattr(hull.hull.fit, setting, bpy.data.objects.new("empty", None))
+    with pytest.raises(RuntimeError, match='^Error: "empty" has no shape: choose a mesh'):
+        bpy.ops.hull.fit()
+    assert (points_of(hull) == before).all()
+
+
 def test_it_is_cancelled_or_given_up_when_the_hull_changes():
     hull = sample("barge")
     hull.hull.fit.target = shape_of(wanted(hull))

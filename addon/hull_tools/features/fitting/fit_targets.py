@@ -15,6 +15,7 @@ from ...bridge.objects import hull_objects
 _SPACING = 1.0 / 300.0
 # Cosine of the largest angle between the centre line of the target and a border there.
 _ALONG = 0.7
+_WITH_SHAPE = {"MESH", "CURVE", "SURFACE", "META", "FONT"}
 
 
 @dataclass(frozen=True, eq=False)
@@ -87,7 +88,10 @@ def _on_port_side(points, normals, lines):
 
 def shape_arrays(obj, hull, scale):
     """(points (n, 3), triangles (m, 3), edges without faces (k, 2, 3)) of an object as the view
-    shows it, on the axes of a hull, or with None those of the scene; m."""
+    shows it, on the axes of a hull, or with None those of the scene; m. ValueError where it has no
+    shape, or points that are no numbers."""
+    if obj.type not in _WITH_SHAPE:
+        raise ValueError(f'"{obj.name}" has no shape: choose a mesh')
     shown = obj.evaluated_get(bpy.context.evaluated_depsgraph_get())
     mesh = shown.to_mesh()
     try:
@@ -105,6 +109,8 @@ def shape_arrays(obj, hull, scale):
     frame = Matrix() if hull is None else hull_objects.from_world(hull)
     matrix = np.array(frame @ obj.matrix_world, dtype=np.float64)
     points = scale * (points.astype(np.float64) @ matrix[:3, :3].T + matrix[:3, 3])
+    if not np.isfinite(points).all():
+        raise ValueError(f'"{obj.name}" has points without a place: delete them')
     is_loose = np.ones(len(edges), dtype=bool)
     is_loose[loops] = False
     if np.linalg.det(matrix[:3, :3]) < 0.0:

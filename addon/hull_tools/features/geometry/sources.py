@@ -3,8 +3,6 @@
 
 from dataclasses import dataclass
 
-import numpy as np
-
 from ....hull_io import geometry
 from ...bridge.blender import units
 from ...bridge.objects import hull_objects
@@ -30,7 +28,7 @@ class Source:
 
 def of_object(obj, scene):
     """The Source that a mesh object is, as the view shows it, where it stands. ValueError where it
-    has no faces, or is a hull itself."""
+    has no faces, has points without a place, or is a hull itself."""
     if obj is None or obj.type != "MESH":
         raise ValueError("Select a mesh object first")
     hull = hull_objects.hull_of(obj)
@@ -39,8 +37,6 @@ def of_object(obj, scene):
     points, triangles, _ = fit_targets.shape_arrays(obj, None, units.metres_per_unit(scene))
     if not len(triangles):
         raise ValueError(f'"{obj.name}" has no faces: select a mesh that has the hull\'s surface')
-    if not np.isfinite(points).all():
-        raise ValueError(f'"{obj.name}" has points without a place: delete them')
     mesh = geometry.GeometryMesh(points, triangles)
     found = geometry.Geometry(obj.name, _FORMAT, "m", meshes=(mesh,))
     return Source(lambda progress: found, f"{obj.name} hull", obj.as_pointer())
