@@ -229,6 +229,28 @@ def test_what_has_no_shape_and_no_place_is_told_by_name(setting):
     assert (points_of(hull) == before).all()
 
 
+def test_a_target_that_is_hidden_counts_with_its_modifiers_or_is_refused():
+    hull = add_hull()
+    target = hull.hull.fit.target = shape_of(wanted(hull), both=False)
+    shift = target.modifiers.new("shift", "DISPLACE")
+    shift.direction, shift.mid_level, shift.strength = "Z", 0.0, 0.2
+    low = points_of(hull)[:, 2].min()
+    target.hide_viewport = True
+    bpy.context.view_layer.update()
+    with pytest.raises(RuntimeError, match='modifiers of "shape" do not count.*show it'):
+        bpy.ops.hull.fit()
+    assert points_of(hull)[:, 2].min() == low
+    target.hide_viewport = False
+    target.hide_set(True)  # by its eye
+    bpy.context.view_layer.update()
+    assert bpy.ops.hull.fit() == {"FINISHED"}
+    assert points_of(hull)[:, 2].min() == pytest.approx(low + 0.2, abs=0.02)
+    target.hide_viewport, shift.show_viewport = True, False
+    bpy.context.view_layer.update()
+    assert bpy.ops.hull.fit() == {"FINISHED"}
+    assert points_of(hull)[:, 2].min() == pytest.approx(low, abs=0.02)
+
+
 def test_it_is_cancelled_or_given_up_when_the_hull_changes():
     hull = sample("barge")
     hull.hull.fit.target = shape_of(wanted(hull))

@@ -89,10 +89,16 @@ def _on_port_side(points, normals, lines):
 def shape_arrays(obj, hull, scale):
     """(points (n, 3), triangles (m, 3), edges without faces (k, 2, 3)) of an object as the view
     shows it, on the axes of a hull, or with None those of the scene; m. ValueError where it has no
-    shape, or points that are no numbers."""
+    shape, points that are no numbers, or modifiers that Blender does not compute."""
     if obj.type not in _WITH_SHAPE:
         raise ValueError(f'"{obj.name}" has no shape: choose a mesh')
-    shown = obj.evaluated_get(bpy.context.evaluated_depsgraph_get())
+    depsgraph = bpy.context.evaluated_depsgraph_get()
+    shown = obj.evaluated_get(depsgraph)
+    if not obj.visible_get() and _is_without_modifiers(obj, shown, depsgraph):
+        raise ValueError(
+            f'The modifiers of "{obj.name}" do not count while it is disabled in viewports, or not '
+            "in this view layer: show it in the outliner, or apply them"
+        )
     mesh = shown.to_mesh()
     try:
         points = np.empty((len(mesh.vertices), 3), dtype=np.float32)
@@ -116,6 +122,13 @@ def shape_arrays(obj, hull, scale):
     if np.linalg.det(matrix[:3, :3]) < 0.0:
         triangles = triangles[:, ::-1]
     return points, triangles, points[edges[is_loose]]
+
+
+def _is_without_modifiers(obj, shown, depsgraph):
+    """Whether Blender has not computed the modifiers that a mesh object has."""
+    if obj.type != "MESH" or not any(modifier.show_viewport for modifier in obj.modifiers):
+        return False
+    return not shown.is_evaluated or shown.data == obj.data.evaluated_get(depsgraph)
 
 
 def _sides(points, triangles):
