@@ -229,6 +229,19 @@ def test_what_has_no_shape_and_no_place_is_told_by_name(setting):
     assert (points_of(hull) == before).all()
 
 
+@pytest.mark.parametrize("setting", ("target", "lines"))
+def test_edges_far_too_long_for_a_hull_are_refused(setting):
+    hull = add_hull()
+    hull.hull.fit.target = shape_of(wanted(hull))
+    mesh = bpy.data.meshes.new("stray")
+    mesh.from_pydata([(0, 0, 0), (1e12, 0, 0), (0, 1, 0)], [(0, 2), (0, 1)], [])
+    stray = bpy.data.objects.new("stray", mesh)
+    bpy.context.collection.objects.link(stray)
+    setattr(hull.hull.fit, setting, stray)
+    with pytest.raises(RuntimeError, match='edges of "stray" are .* times as long as the hull'):
+        bpy.ops.hull.fit()
+
+
 def test_a_target_that_is_hidden_counts_with_its_modifiers_or_is_refused():
     hull = add_hull()
     target = hull.hull.fit.target = shape_of(wanted(hull), both=False)

@@ -60,6 +60,7 @@ MOST_FIELD_POINTS = 2500
 # curve changes.
 MOST_CURVE_POINTS = 1000
 FIT_POINTS = (100, 1_000_000)  # each takes a kilobyte
+MOST_FIT_LINE_POINTS = 10_000_000  # along edges and curves; each takes a hundred bytes
 MOST_TARGETS = of_files.MAX_TARGETS
 GREATEST_TARGET = of_files.GREATEST_TARGET
 GREATEST_TARGET_STIFFNESS = of_files.GREATEST_TARGET_STIFFNESS

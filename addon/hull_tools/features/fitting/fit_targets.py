@@ -9,6 +9,7 @@ import numpy as np
 from mathutils import Matrix
 
 from ....hull_io import triangles as shapes
+from ...bridge import limits
 from ...bridge.objects import hull_objects
 
 # Points along lines: no further apart than this part of the hull's length.
@@ -35,26 +36,37 @@ def of_hull(obj, scale, length):
     if settings.target is None:
         raise ValueError("Choose what the hull is fitted to: a mesh object as Target")
     points, triangles, loose = shape_arrays(settings.target, obj, scale)
-    spacing, lines, centre = _SPACING * length, shapes.divided(loose, _SPACING * length), []
-    normals = None
+    lines, centre, normals = _divided(loose, settings.target, length), [], None
     if not len(triangles):
         points = points[:: max(1, len(points) // settings.samples)]
     else:
         if settings.use_edges:
             edges = shapes.feature_edges(points, triangles, settings.edge_angle)
-            lines += shapes.divided(edges, spacing)
+            lines += _divided(edges, settings.target, length)
             if obj.hull.half:
-                centre = shapes.divided(shapes.centre_cut(points, triangles), spacing)
+                centre = _divided(shapes.centre_cut(points, triangles), settings.target, length)
         points, normals = shapes.spread_points(points, triangles, settings.samples)
     if not len(points):
         raise ValueError(f'"{settings.target.name}" has no points to fit to: choose another target')
     if settings.lines is not None:
         places, faces, loose = shape_arrays(settings.lines, obj, scale)
         edges = loose if not len(faces) else np.concatenate([loose, _sides(places, faces)])
-        lines += shapes.divided(edges, spacing)
+        lines += _divided(edges, settings.lines, length)
     if obj.hull.half:
         points, normals, lines = _on_port_side(points, normals, lines)
     return Target(points, normals, lines, centre)
+
+
+def _divided(edges, obj, length):
+    """Lines along edges (k, 2, 3) of an object, for a hull of this length."""
+    spacing = _SPACING * length
+    count = np.ceil(np.linalg.norm(edges[:, 1] - edges[:, 0], axis=1) / spacing).sum()
+    if count > limits.MOST_FIT_LINE_POINTS:
+        raise ValueError(
+            f'The edges of "{obj.name}" are {count / len(edges) * _SPACING:.3g} times as long as '
+            f"the hull on average, {len(edges)} of them: bring it to the hull's size"
+        )
+    return shapes.divided(edges, spacing)
 
 
 def centre_curves(target, curves, reach):
