@@ -61,6 +61,19 @@ def test_what_is_no_quantity_stays(in_scene_units, text):
     assert in_scene_units(SCENES["IMPERIAL"], text) == text
 
 
+def test_small_lengths_are_written_out():
+    shown = {
+        0.0: "0",
+        0.25: "0.25",
+        999.4: "999",
+        999.7: "1000",
+        1000.0: "1000",
+        123456.7: "123457",
+    }
+    for mm, text in shown.items():
+        assert part("bridge.blender.units").format_mm(1e-3 * mm) == f"{text} mm"
+
+
 @pytest.fixture
 def hull():
     """Of a scene in feet, far above the water."""

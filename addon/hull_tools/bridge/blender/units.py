@@ -206,7 +206,8 @@ def format_jump(curvature):
 def _small(value):
     if 0.0 < value < _LEAST_SHOWN:
         return f"below {_LEAST_SHOWN:.0e}"
-    return f"{value:.3g}" if value < 1e3 else f"{value:.0f}"
+    # From here on three digits are "1e+03".
+    return f"{value:.3g}" if value < 999.5 else f"{value:.0f}"
 
 
 def _digits(value):
