@@ -1,10 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Hull from Mesh and Hull from File: what is made, told, taken back and refused."""
 
+from types import SimpleNamespace
+
 import bpy
 import numpy as np
 import pytest
 from addon_under_test import add_hull, hull_io, make_active, part, sample
+from mathutils import Vector
 from test_panels import texts
 
 pytestmark = pytest.mark.once
@@ -90,6 +93,24 @@ def test_a_mesh_is_known_after_it_was_renamed_meanwhile():
     assert hull.hull.fit.target == source != other
     assert hull.location.y == pytest.approx(30.0, abs=1e-4)
     assert hull.location.x > 190.0
+
+
+def test_misses_are_shown_out_of_a_cameras_view(monkeypatch):
+    place, scene = Vector((1.0, 2.0, 3.0)), bpy.context.scene
+    monkeypatch.setattr(part("features.geometry.making"), "place_of", lambda *_: place)
+    monkeypatch.setattr(part("features.networks.to_hull"), "place_of", lambda *_: place)
+    of_source = part("operators.geometry").HULL_OT_show_source_miss.run_on
+    of_network = part("operators.network_hull").HULL_OT_show_network_miss.run
+    hull = add_hull()
+    for show in (
+        lambda context: of_source(None, hull, context),
+        lambda context: of_network(SimpleNamespace(index=0), context),
+    ):
+        scene.cursor.location = (0.0, 0.0, 0.0)
+        view = SimpleNamespace(view_perspective="CAMERA", view_location=None)
+        show(SimpleNamespace(scene=scene, object=hull, region_data=view))
+        assert (view.view_perspective, view.view_location) == ("PERSP", place)
+        assert scene.cursor.location == place
 
 
 def test_a_file_becomes_a_hull_on_a_ships_axes(tmp_path):

@@ -8,7 +8,7 @@ from bpy.props import BoolProperty, EnumProperty, IntProperty, StringProperty
 from bpy_extras.io_utils import ImportHelper
 
 from ..bridge import limits
-from ..bridge.blender import units
+from ..bridge.blender import units, view_target
 from ..bridge.objects import hull_objects
 from ..features.geometry import making, sources
 from ..properties.shared import field_or
@@ -236,8 +236,7 @@ class HULL_OT_show_source_miss(bpy.types.Operator, HullReader):
     def run_on(self, hull, context):
         place = making.place_of(hull, context.scene)
         context.scene.cursor.location = place
-        if context.region_data is not None:
-            context.region_data.view_location = place
+        view_target.look_at(context.region_data, place)
 
 
 CLASSES = (HULL_OT_hull_from_mesh, HULL_OT_hull_from_file, HULL_OT_show_source_miss)

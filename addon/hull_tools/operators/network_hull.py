@@ -4,6 +4,7 @@
 import bpy
 from bpy.props import IntProperty
 
+from ..bridge.blender import view_target
 from ..bridge.objects import networks
 from ..features.networks import to_hull
 from .networks import NetworkTask, has_network
@@ -55,8 +56,7 @@ class HULL_OT_show_network_miss(bpy.types.Operator, BaseOperator):
     def run(self, context):
         place = to_hull.place_of(networks.at_hand(context), context.scene, self.index)
         context.scene.cursor.location = place
-        if context.region_data is not None:
-            context.region_data.view_location = place
+        view_target.look_at(context.region_data, place)
 
 
 CLASSES = (HULL_OT_network_to_hull, HULL_OT_show_network_miss)

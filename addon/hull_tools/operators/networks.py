@@ -5,7 +5,7 @@ import bpy
 from bpy.props import EnumProperty, IntProperty, StringProperty
 
 from ...hull_io import number_lists
-from ..bridge.blender import units
+from ..bridge.blender import units, view_target
 from ..bridge.counts import counted
 from ..bridge.objects import networks
 from ..features.networks import crossings, from_hull, making, network_state, problems
@@ -215,8 +215,7 @@ class HULL_OT_select_network_problem(bpy.types.Operator, NetworkOperator):
         if place is None:
             return
         context.scene.cursor.location = place
-        if context.region_data is not None:
-            context.region_data.view_location = place
+        view_target.look_at(context.region_data, place)
 
 
 class HULL_OT_remove_from_network(bpy.types.Operator, NetworkOperator):

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 from mathutils import Vector
 
-from ...bridge.blender import units
+from ...bridge.blender import units, view_target
 from ..hull import hull_state
 from . import conversions
 
@@ -61,9 +61,7 @@ def show(hull, scene, kind):
 def look_at(hull, scene, view):
     """Brings the marked spot into the middle of a RegionView3D, near enough to see it."""
     state = hull_state.state_of(hull)
-    if view.view_perspective == "CAMERA":
-        view.view_perspective = "PERSP"
-    view.view_location = _place(hull, scene, state)
+    view_target.look_at(view, _place(hull, scene, state))
     view.view_distance = _VIEW_DISTANCE * _quality(state).length / units.metres_per_unit(scene)
 
 

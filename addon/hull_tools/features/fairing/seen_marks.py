@@ -16,7 +16,7 @@ from mathutils import Vector
 from ....hull_fairness import lines as judging
 from ...bridge import native
 from ...bridge.background import jobs
-from ...bridge.blender import units
+from ...bridge.blender import units, view_target
 from ...bridge.mesh import selection
 from ..conversion import conversions
 from ..hull import form_before, hull_state
@@ -223,12 +223,9 @@ def _known(obj):
 def _look_at(context, obj, point):
     scale, view = units.metres_per_unit(context.scene), context.region_data
     context.scene.cursor.location = obj.matrix_world @ (Vector(point) / scale)
-    if view is None:
-        return
-    if view.view_perspective == "CAMERA":
-        view.view_perspective = "PERSP"
-    view.view_location = context.scene.cursor.location
-    view.view_distance = _VIEW_DISTANCE * max(obj.dimensions)
+    view_target.look_at(view, context.scene.cursor.location)
+    if view is not None:
+        view.view_distance = _VIEW_DISTANCE * max(obj.dimensions)
 
 
 def _points_around(obj, point):

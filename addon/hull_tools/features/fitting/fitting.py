@@ -9,7 +9,7 @@ from mathutils import Vector
 
 from ...bridge import limits, native
 from ...bridge.background import jobs
-from ...bridge.blender import units
+from ...bridge.blender import units, view_target
 from ...bridge.mesh import mesh_arrays, mesh_points
 from ...bridge.objects import hull_mesh
 from ..constraints import move_limits
@@ -198,12 +198,9 @@ def mark_worst(obj, scene, view):
         raise ValueError("There is no fit of the hull as it is: press Fit first")
     scale = units.metres_per_unit(scene)
     scene.cursor.location = obj.matrix_world @ (Vector(report.place) / scale)
-    if view is None:
-        return
-    if view.view_perspective == "CAMERA":
-        view.view_perspective = "PERSP"
-    view.view_location = scene.cursor.location
-    view.view_distance = _VIEW_DISTANCE * max(obj.dimensions)
+    view_target.look_at(view, scene.cursor.location)
+    if view is not None:
+        view.view_distance = _VIEW_DISTANCE * max(obj.dimensions)
 
 
 def shape_object(name, points, triangles, collection):
