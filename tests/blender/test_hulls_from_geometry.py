@@ -95,6 +95,30 @@ def test_a_mesh_is_known_after_it_was_renamed_meanwhile():
     assert hull.location.x > 190.0
 
 
+def made_while_another_is_edited(*_):
+    mesh_object("edited", np.eye(3), [(0, 1, 2)])
+    bpy.ops.object.mode_set(mode="EDIT")
+    made = bpy.data.objects.new("made", bpy.data.meshes.new("made"))
+    bpy.context.scene.collection.objects.link(made)
+    return made, SimpleNamespace(is_within=True)
+
+
+def test_what_is_edited_meanwhile_stays_the_active_object(monkeypatch):
+    write = SimpleNamespace(result=lambda: None, write=made_while_another_is_edited)
+    making, to_hull = part("features.geometry.making"), part("features.networks.to_hull")
+    for feature, task, told in ((making, "Making", ("", False)), (to_hull, "Laying", "")):
+        monkeypatch.setattr(feature, task, lambda *_: write)
+        monkeypatch.setattr(feature, "summary", lambda _, told=told: told)
+    mesh_object("scan", np.eye(3), [(0, 1, 2)])
+    for operator in (bpy.ops.hull.hull_from_mesh, bpy.ops.hull.network_to_hull):
+        if not operator.poll():
+            assert bpy.ops.hull.new_network() == {"FINISHED"}
+        assert operator() == {"FINISHED"}
+        assert bpy.context.mode == "EDIT_MESH" and bpy.context.object.name == "edited"
+        bpy.ops.object.mode_set(mode="OBJECT")
+        bpy.data.objects.remove(bpy.context.object)
+
+
 def test_misses_are_shown_out_of_a_cameras_view(monkeypatch):
     place, scene = Vector((1.0, 2.0, 3.0)), bpy.context.scene
     monkeypatch.setattr(part("features.geometry.making"), "place_of", lambda *_: place)

@@ -115,12 +115,9 @@ class FromGeometry(TaskOperator):
         self._made, report = self._task.write(scene, collection_for_new(bpy.context))
         return making.summary(report)
 
-    def _finish(self, context):
-        finished = super()._finish(context)
-        if finished == {"FINISHED"}:
-            make_active(context, self._made)
-            show_all(context)
-        return finished
+    def show(self, context):
+        make_active(context, self._made)
+        show_all(context)
 
     def draw(self, context):
         column = property_column(self)

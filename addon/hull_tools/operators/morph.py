@@ -66,11 +66,8 @@ class HULL_OT_make_morph(bpy.types.Operator, TaskOperator):
         self._made = self._task.write(scene)
         return self._task.told
 
-    def _finish(self, context):
-        finished = super()._finish(context)
-        if finished == {"FINISHED"}:
-            make_active(context, self._made)
-        return finished
+    def show(self, context):
+        make_active(context, self._made)
 
 
 class HULL_OT_pair_again(bpy.types.Operator, TaskOperator):

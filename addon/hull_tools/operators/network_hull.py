@@ -35,12 +35,9 @@ class HULL_OT_network_to_hull(bpy.types.Operator, NetworkTask):
         self._made, report = self._task.write(scene, collection_for_new(bpy.context))
         return to_hull.summary(report), not report.is_within
 
-    def _finish(self, context):
-        finished = super()._finish(context)
-        if finished == {"FINISHED"}:
-            make_active(context, self._made)
-            suit_views(context)
-        return finished
+    def show(self, context):
+        make_active(context, self._made)
+        suit_views(context)
 
 
 class HULL_OT_show_network_miss(bpy.types.Operator, BaseOperator):

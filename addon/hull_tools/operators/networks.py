@@ -135,13 +135,10 @@ class HULL_OT_network_from_hull(bpy.types.Operator, TaskOperator):
         text = f'"{network.name}" has {counted(len(state.curves), "curve")}'
         return (f"{text}, {counted(count, 'problem')}" if count else text), bool(count)
 
-    def _finish(self, context):
-        finished = super()._finish(context)
-        if finished == {"FINISHED"}:
-            curves = networks.curves_of(self._made)
-            make_active(context, curves[0])
-            suit_views(context)
-        return finished
+    def show(self, context):
+        curves = networks.curves_of(self._made)
+        make_active(context, curves[0])
+        suit_views(context)
 
 
 class HULL_OT_curves_to_network(bpy.types.Operator, BaseOperator):

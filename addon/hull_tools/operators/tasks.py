@@ -76,7 +76,13 @@ class TaskOperator(HullReader):
         finally:
             conversions.take_finished()
         self.tell("WARNING" if warns else "INFO", text)
+        if context.mode == "OBJECT":
+            self.show(context)
         return {"FINISHED"}
+
+    def show(self, context):
+        """Makes a new object the active one. Not while another one is edited, as somebody may have
+        begun to do meanwhile: Blender would go on holding its mesh for being edited."""
 
     def _show_progress(self, context):
         percent = 100.0 * self._task.share
