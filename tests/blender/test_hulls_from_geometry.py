@@ -95,6 +95,24 @@ def test_a_mesh_is_known_after_it_was_renamed_meanwhile():
     assert hull.location.x > 190.0
 
 
+def test_the_dialog_is_in_the_units_of_the_scene(monkeypatch):
+    """Of a box of 30.48 by 2 · 3.048 by 6.096 m."""
+    operators, said = part("operators.geometry"), []
+    box = [(x, y, z) for x in (0, 30.48) for y in (-3.048, 3.048) for z in (0, 6.096)]
+    mesh_object("box", box, [(2, 3, 7, 6), (0, 4, 5, 1), (0, 2, 6, 4), (0, 1, 3, 2), (4, 6, 7, 5)])
+    scene = bpy.context.scene
+    scene.unit_settings.system = "IMPERIAL"
+    source = part("features.geometry.sources").of_object(bpy.context.object, scene)
+    column = SimpleNamespace(label=lambda text: said.append(text))
+    layout = SimpleNamespace(column=lambda align: column)
+    dialog = SimpleNamespace(_source=source, known=lambda: {}, layout=layout)
+    monkeypatch.setattr(operators.FromGeometry, "draw", lambda *_: None)
+    operators.HULL_OT_hull_from_mesh._understand(dialog)
+    operators.HULL_OT_hull_from_mesh.draw(dialog, bpy.context)
+    assert said[0] == "100 ft long, 20 ft broad, 20 ft deep"
+    assert said[1].startswith("Lpp 100 ft, forward")
+
+
 def made_while_another_is_edited(*_):
     mesh_object("edited", np.eye(3), [(0, 1, 2)])
     bpy.ops.object.mode_set(mode="EDIT")

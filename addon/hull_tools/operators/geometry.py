@@ -8,7 +8,7 @@ from bpy.props import BoolProperty, EnumProperty, IntProperty, StringProperty
 from bpy_extras.io_utils import ImportHelper
 
 from ..bridge import limits
-from ..bridge.blender import units, view_target
+from ..bridge.blender import sentence_units, units, view_target
 from ..bridge.objects import hull_objects
 from ..features.geometry import making, sources
 from ..properties.shared import field_or
@@ -178,7 +178,8 @@ class HULL_OT_hull_from_mesh(bpy.types.Operator, FromGeometry):
         column = self.layout.column(align=True)
         column.scale_y = 0.8
         for sentence in self._lines:
-            for line in textwrap.wrap(sentence, _WIDTH):
+            shown = sentence_units.in_scene_units(context.scene, sentence)
+            for line in textwrap.wrap(shown, _WIDTH):
                 column.label(text=line)
 
     def source(self, context):
