@@ -287,6 +287,20 @@ def test_it_is_cancelled_or_given_up_when_the_hull_changes():
     assert fitting.last_report(other) == (None, False)
 
 
+@pytest.mark.parametrize("setting, value", (("scheme", "catmull_clark"), ("half", False)))
+def test_it_is_given_up_when_the_surface_is_another_by_a_setting(setting, value):
+    hull = sample("barge")
+    hull.hull.fit.target = shape_of(wanted(hull))
+    before = points_of(hull)
+    fitting = part("features.fitting.fitting")
+    task = fitting.Fitting(hull, bpy.context.scene)
+    setattr(hull.hull, setting, value)
+    with pytest.raises(ValueError, match="changed meanwhile, and stays as it is: fit it again"):
+        task.write(bpy.context.scene)
+    assert (points_of(hull) == before).all()
+    assert fitting.last_report(hull) == (None, False)
+
+
 def box_target(deck_too):
     """Port side and bottom of a box of 10 x 4.2 x 3 m, and a house on it."""
     points = [(x, y, z) for x in (0.0, 10.0) for y in (0.0, 2.1) for z in (0.0, 3.0)]

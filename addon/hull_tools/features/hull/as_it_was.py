@@ -15,7 +15,7 @@ class AsItWas:
         self._key, self._again = _key_of(obj), again
 
     def checked(self, scene):
-        """The hull; ValueError where it is not there any more, or its mesh is another."""
+        """The hull; ValueError where it is not there any more, or its surface is another."""
         obj = hull_state.hull_with(self.state, scene)
         if not hull_objects.is_hull(obj) or _key_of(obj) != self._key:
             raise ValueError(f"The hull was changed meanwhile, and stays as it is: {self._again}")
@@ -24,4 +24,4 @@ class AsItWas:
 
 def _key_of(obj):
     found = hull_mesh.read(obj)
-    return found.topology, found.points_digest
+    return found.topology_key, found.points_digest
