@@ -393,6 +393,21 @@ def test_several_hulls_are_edited_at_once():
     assert_shows(second, (LENGTH, 4.0, 3.0 * DEPTH))
 
 
+def test_what_is_selected_is_so_of_all_that_are_edited_at_once():
+    """Or what moves next would take points of another hull along."""
+    first, second = add_hull("first"), add_hull("second")
+    first.select_set(True)
+    bpy.ops.object.mode_set(mode="EDIT")
+    bpy.ops.mesh.select_all(action="SELECT")
+    selection = part("bridge.mesh.selection")
+    assert bpy.context.object == second
+    selection.select(bpy.context, second, "vertex", [2], extend=True)
+    assert len(selection.selected(first, "vertex")) == 8
+    selection.select(bpy.context, second, "vertex", [1])
+    assert selection.selected(second, "vertex") == [1]
+    assert selection.selected(first, "vertex") == []
+
+
 def test_a_change_of_the_scene_s_scale_is_followed():
     hull = add_hull()
     hull.hull.draft = 1.0

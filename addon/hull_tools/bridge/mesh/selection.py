@@ -18,11 +18,12 @@ _MODES = {
 def select(context, obj, kind, elements, *, extend=False, reveal=False):
     """Selects these elements, and only points, edges or faces; returns how many.
 
-    Without `extend` exactly these; with it, those of the kind that are selected stay so. `reveal`
-    shows hidden ones.
+    Without `extend` exactly these of all meshes that are edited; with it, those of the kind that are
+    selected stay so. `reveal` shows hidden ones.
     """
     if not extend:
-        deselect_all(obj)
+        for edited in {obj, *context.objects_in_mode_unique_data}:
+            deselect_all(edited)
     tool_mode, mode = _MODES[kind]
     context.tool_settings.mesh_select_mode = tool_mode
     bm = bmesh.from_edit_mesh(obj.data)
@@ -45,6 +46,7 @@ def deselect_all(obj):
     for sequence in (bm.faces, bm.edges, bm.verts):
         for element in sequence:
             element.select_set(False)
+    bmesh.update_edit_mesh(obj.data, loop_triangles=False, destructive=False)
 
 
 def selected(obj, kind):
