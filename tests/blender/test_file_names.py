@@ -7,10 +7,12 @@ import re
 
 import bpy
 import pytest
-from addon_under_test import lined_hull, part
+from addon_under_test import hull_io, lined_hull, part, sample
 from edited_hulls import grid_hull
 from expect_morph import boxes, morph_of
 from networks import grid_network
+from test_hulls_from_geometry import triangles_of
+from test_panels import texts
 
 pytestmark = pytest.mark.once
 
@@ -101,6 +103,31 @@ def test_all_operators_that_write_files_are_tried():
             found.add(name)
     assert found - READING == {f"export_{kind}" for kind in EXPORTS}
     assert READING <= found
+
+
+def written_to_be_read(operator, path):
+    if operator == "import_hull":
+        bpy.ops.hull.export_hull(filepath=str(path))
+    elif operator == "load_area_curve":
+        path.write_text("x,area\n0,0\n5,4\n10,0\n")
+    else:
+        hull_io().write_stl(path, *triangles_of(sample("barge")))
+
+
+@pytest.mark.skipif(os.name == "nt", reason="names of files are no bytes there")
+@pytest.mark.parametrize("operator", sorted(READING))
+def test_names_that_are_no_letters(operator, tmp_path):
+    """As of old archives: Prüfung in Latin-1."""
+    lined_hull()
+    read = getattr(bpy.ops.hull, operator)
+    ending = {"import_hull": ".hull.json", "load_area_curve": ".csv"}.get(operator, ".stl")
+    odd = os.fsdecode(os.fsencode(tmp_path) + b"/Pr\xfcfung" + os.fsencode(ending))
+    with pytest.raises(RuntimeError, match=r"^Error: Pr\?fung.*can't be opened"):
+        read(filepath=odd)
+    written_to_be_read(operator, tmp_path / f"file{ending}")
+    os.rename(tmp_path / f"file{ending}", odd)
+    assert read(filepath=odd) == {"FINISHED"}
+    assert texts()
 
 
 @short_cases

@@ -6,7 +6,7 @@ from bpy.props import FloatProperty
 
 from ... import hull_io
 from ..bridge import native
-from ..bridge.blender import sentence_units, view_depth
+from ..bridge.blender import letters, sentence_units, view_depth
 from ..bridge.objects import appendages, hull_objects
 from ..properties.shared import length
 
@@ -188,14 +188,15 @@ class BaseOperator:
         try:
             return function(context) or {"FINISHED"}
         except hull_io.HullFileError as error:  # in the units of the file
-            self.report({"ERROR"}, str(error))
+            self.report({"ERROR"}, letters.taken(str(error)))
         except (ValueError, OSError) as error:
             self.tell("ERROR", str(error))
         return {"CANCELLED"}
 
     def tell(self, level, text):
         """Reports a sentence, in the units of the scene. level: "INFO", "WARNING" or "ERROR"."""
-        self.report({level}, sentence_units.in_scene_units(bpy.context.scene, text))
+        text = sentence_units.in_scene_units(bpy.context.scene, text)
+        self.report({level}, letters.taken(text))
 
 
 class HullReader(BaseOperator):

@@ -8,7 +8,7 @@ import numpy as np
 
 from ....hull_io.area_tables import read_area_table
 from ...bridge import limits
-from ...bridge.blender import units
+from ...bridge.blender import letters, units
 from ...bridge.objects import hull_objects
 from ..curves_of_form import sectional_areas
 from ..flotation import afloat
@@ -51,7 +51,7 @@ def take_from_table(obj, scene, path, handles):
     """Makes the curve of a CSV file the target; returns the TargetCurve. HullFileError, which is a
     ValueError, with line and remedy."""
     path = Path(path)
-    return _take(obj, scene, read_area_table(path), handles, path.name)
+    return _take(obj, scene, read_area_table(path), handles, letters.taken(path.name))
 
 
 def scale_to_volume(obj, scene, volume=None):

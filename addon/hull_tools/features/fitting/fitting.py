@@ -9,7 +9,7 @@ from mathutils import Vector
 
 from ...bridge import limits, native
 from ...bridge.background import jobs
-from ...bridge.blender import units, view_target
+from ...bridge.blender import letters, units, view_target
 from ...bridge.mesh import mesh_arrays, mesh_points
 from ...bridge.objects import hull_mesh
 from ..constraints import move_limits
@@ -205,6 +205,7 @@ def mark_worst(obj, scene, view):
 
 def shape_object(name, points, triangles, collection):
     """A new mesh object of triangles (m, 3) between points (n, 3) in Blender's units."""
+    name = letters.taken(name)
     mesh = bpy.data.meshes.new(name)
     sizes = np.full(len(triangles), 3, dtype=np.int32)
     mesh_arrays.write_faces(mesh, points, sizes, np.asarray(triangles).reshape(-1))

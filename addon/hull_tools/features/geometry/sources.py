@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What hulls are made of: mesh objects and files, as hull_io has geometry."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from ....hull_io import geometry
-from ...bridge.blender import units
+from ...bridge.blender import letters, units
 from ...bridge.objects import hull_objects
 from ..fitting import fit_targets
 
@@ -44,7 +44,12 @@ def of_object(obj, scene):
 
 def of_file(path):
     """The Source that a file is."""
-    return Source(lambda progress: geometry.read_geometry(path, progress=progress))
+
+    def read(progress):
+        found = geometry.read_geometry(path, progress=progress)
+        return replace(found, name=letters.taken(found.name))
+
+    return Source(read)
 
 
 def understood(source, known):

@@ -5,7 +5,7 @@ import bpy
 import numpy as np
 
 from ....hull_io.hull_data import KEPT_IN
-from ...bridge.blender import preferences, units
+from ...bridge.blender import letters, preferences, units
 from ...bridge.mesh import mesh_arrays, row_marks
 from ...bridge.objects import hull_objects, migration, shown_objects
 from ..constraints import developables, flats, kept_points, point_locks
@@ -49,7 +49,8 @@ def hull_object(hull, scene, collection):
     """A new hull object from hull_io's HullData, in a collection, without its variants; returns it,
     up to date."""
     scale = units.metres_per_unit(scene)
-    obj = bpy.data.objects.new(hull.name, bpy.data.meshes.new(hull.name))
+    name = letters.taken(hull.name)
+    obj = bpy.data.objects.new(name, bpy.data.meshes.new(name))
     collection.objects.link(obj)
     give_ship(obj, hull, scale)
     obj.hull.fairness.comb_rows |= bool(hull.shown_rows)
