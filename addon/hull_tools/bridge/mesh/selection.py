@@ -18,8 +18,8 @@ _MODES = {
 def select(context, obj, kind, elements, *, extend=False, reveal=False):
     """Selects these elements, and only points, edges or faces; returns how many.
 
-    Without `extend` exactly these of all meshes that are edited; with it, those of the kind that are
-    selected stay so. `reveal` shows hidden ones.
+    Without `extend` exactly these of all meshes that are edited; with it, those of the kind that
+    are selected stay so. `reveal` shows hidden ones.
     """
     if not extend:
         for edited in {obj, *context.objects_in_mode_unique_data}:
