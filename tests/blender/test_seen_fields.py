@@ -186,3 +186,40 @@ def test_a_script_gives_the_operator_what_is_dragged():
         bpy.ops.hull.drag_field()
     assert bpy.ops.hull.drag_field(extent=3.0) == {"FINISHED"}
     assert row.extent == 3.0 and tuple(row.shift) == (0.0, 0.0, 0.0)
+
+
+def test_what_is_seen_follows_a_base_curve_and_other_faces():
+    hull = sample()
+    place = side_point(hull)
+    points = [place, place + (8.0, 0.0, 0.0)]
+    line = part("bridge.objects.curve_lines").made("Line", points, False, hull)
+    add(hull, place, base="CURVE", extent=6.0).curve = line
+    before = seen_of(hull).lines
+    for point in line.data.splines[0].points:
+        point.co.z += 0.5
+    line.data.update_tag()
+    assert np.abs(seen_of(hull).chosen.anchor[2] - place[2] - 0.5) < 1e-5
+    assert seen_of(hull).lines is not before
+    bpy.data.objects.remove(line)
+    assert seen_of(hull).chosen is None
+    row, faces = add(hull, place, base="FACES"), part("bridge.objects.field_faces")
+    assert seen_of(hull).chosen is None
+    faces.give(hull, row, [30, 31])
+    hull.data.update_tag()
+    before = seen_of(hull).chosen
+    faces.forget(hull, row)
+    faces.give(hull, row, [60])
+    hull.data.update_tag()
+    assert seen_of(hull).chosen.digest != before.digest
+
+
+def test_a_base_curve_that_is_taken_out_of_the_scene_is_seen_no_longer():
+    hull = sample()
+    place = side_point(hull)
+    points = [place, place + (8.0, 0.0, 0.0)]
+    line = part("bridge.objects.curve_lines").made("Line", points, False, hull)
+    add(hull, place, base="CURVE", extent=6.0).curve = line
+    assert seen_of(hull).chosen is not None
+    for collection in line.users_collection:
+        collection.objects.unlink(line)
+    assert seen_of(hull).chosen is None

@@ -123,6 +123,7 @@ def after_update(scene, depsgraph):
     if depsgraph.id_type_updated("SCENE"):
         hulls += hull_state.with_other_appendages(depsgraph.view_layer)
     _follow(list(dict.fromkeys(hulls)), scene, depsgraph.view_layer)
+    seen.follow_curves(changed, scene, depsgraph.view_layer)
     has_others = depsgraph.id_type_updated("SCENE") or depsgraph.id_type_updated("COLLECTION")
     networks.after_changes(changed, scene, has_others)
 

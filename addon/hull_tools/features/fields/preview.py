@@ -229,9 +229,12 @@ def concerned(changed, view_layer):
     their mesh."""
     known = (obj for obj, _ in hull_state.known_hulls(view_layer))
     hulls = [obj for obj in known if obj.hull.fields.is_previewed]
-    return [obj for obj in hulls if of_hull(obj).waits or any(
-            changed.intersection(own) or any(map(_is_deleted, own))
-            for own in _curves_of(obj))]  # fmt: skip
+    return [obj for obj in hulls if of_hull(obj).waits or has_other_curves(obj, changed)]
+
+
+def has_other_curves(obj, changed):
+    """Whether curves of a hull's fields are among changed objects or were deleted."""
+    return any(changed.intersection(own) or any(map(_is_deleted, own)) for own in _curves_of(obj))
 
 
 def _is_deleted(curve):
@@ -261,8 +264,15 @@ def values_of(field, obj):
         *(field.use, field.role, field.base, tuple(field.place), field.axis, field.extent),
         *(field.falloff, tuple(field.shift), tuple(field.axes), field.varies, field.extent_end),
         *(field.falloff_end, tuple(field.shift_end), field_rows.goes_along_surface(field)),
-        _points_of(field.curve, obj) if field.base == "CURVE" else None,
+        *base_of(field, obj),
         _points_of(field.becomes, obj) if field_rows.becomes_another(field) else None,
+    )
+
+
+def base_of(field, obj):
+    """What a field's base is that is not told by its settings; equal where that is the same."""
+    return (
+        _points_of(field.curve, obj) if field.base == "CURVE" else None,
         field_faces.of_field(obj, field).tobytes() if field.base == "FACES" else None,
     )
 

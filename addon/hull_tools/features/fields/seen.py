@@ -5,6 +5,7 @@ one that is chosen. It follows the hull and the fields; drawing computes nothing
 from dataclasses import dataclass, field
 
 from ...bridge.blender import units
+from ...bridge.objects import curve_lines
 from ..hull import hull_state
 from . import prepared, preview, seen_bases, seen_lines
 
@@ -39,7 +40,10 @@ def follow(obj, scene):
         return
     scale = units.metres_per_unit(scene)
     ground, surface_key = _at_start(obj, state, scale)
-    fields = tuple((each.use, each.falloff, seen_lines.values_of(each)) for each in settings.fields)
+    fields = tuple(
+        (each.use, each.falloff, seen_lines.values_of(each), preview.base_of(each, obj))
+        for each in settings.fields
+    )
     samples = seen_lines.samples_of(obj, ground.surface)
     key = (state.ship.geometry_key, surface_key, scale, samples, settings.active_field, fields)
     if seen.key == key:
@@ -50,6 +54,15 @@ def follow(obj, scene):
     if seen.chosen is not None:
         shown = state.ship.surface
         seen.lines = seen_lines.found(obj, seen.chosen, seen.known, shown, ground)
+
+
+def follow_curves(changed, scene, view_layer):
+    """The same of the hulls in a view layer with fields whose curves are among changed objects or
+    were deleted: of these nothing else is told."""
+    with curve_lines.read_once():
+        for obj, _ in hull_state.known_hulls(view_layer):
+            if preview.has_other_curves(obj, changed):
+                follow(obj, scene)
 
 
 def _at_start(obj, state, scale):
