@@ -225,6 +225,29 @@ def test_a_thousand_load_cases_are_refused(hull):
     assert "1000 load cases" in refusal_of(hull, "load_cases")
 
 
+WIND = [
+    ("lever", float("nan"), "lever"),
+    ("pressure", float("nan"), "pressure"),
+    ("keel_area", float("nan"), "keels"),
+    ("roll_period", float("nan"), "roll's period"),
+    ("area", float("nan"), "Wind area 1"),
+    ("z", float("nan"), "Wind area 1"),
+    ("z", 1e30, "Wind area 1"),
+]
+
+
+@pytest.mark.parametrize("name, value, said", WIND)
+def test_wind_that_no_ship_meets(hull, name, value, said):
+    """A number that is none is unlike itself: what depends on it would be out of date for ever."""
+    hull.hull.wind.source = "HULL"
+    bpy.ops.hull.add_wind_area()
+    owner = hull.hull.wind.areas[0] if name in ("area", "z") else hull.hull.wind
+    owner[name] = value
+    assert said in refusal_of(hull, "criteria")
+    analyses, scene = part("features.analyses"), bpy.context.scene
+    assert analyses.last_outcome(hull, scene, "criteria")[1]
+
+
 def test_a_full_table_is_quick(hull):
     hull.hull.table.trims = "-1:1:0.0202"
     start = time.process_time()

@@ -3,7 +3,9 @@
 
 from dataclasses import dataclass
 
+from ...bridge import limits
 from ...bridge.blender.units import as_typed
+from .centres import within_a_ship
 
 
 @dataclass(frozen=True)
@@ -32,16 +34,29 @@ class WindInputs:
 
 
 def wind_inputs(settings, metres_per_unit):
-    """WindInputs of an Object.hull; None while the wind areas are not known."""
+    """WindInputs of an Object.hull; None while the wind areas are not known. ValueError for what no
+    ship has."""
     wind = settings.wind
     if wind.source == "NONE":
         return None
+
+    def number(value, name, most):
+        return limits.within(as_typed(value), name, 0.0, most)
+
+    lever = as_typed(wind.lever) * metres_per_unit
     return WindInputs(
         hull_profile=wind.source == "HULL",
-        areas=tuple((as_typed(one.area), as_typed(one.z) * metres_per_unit) for one in wind.areas),
-        lever=as_typed(wind.lever) * metres_per_unit or None,
-        pressure=as_typed(wind.pressure),
-        keel_area=as_typed(wind.keel_area),
+        areas=tuple(
+            (
+                number(one.area, f"{one.name} in m²", limits.LARGEST_WIND_AREA),
+                within_a_ship(one.z, f"The centre of {one.name}", metres_per_unit),
+            )
+            for one in wind.areas
+        ),
+        lever=limits.within(lever, "The wind's lever in m", 0.0, limits.LONGEST) or None,
+        pressure=number(wind.pressure, "The wind's pressure in Pa", limits.STRONGEST_WIND),
+        keel_area=number(wind.keel_area, "The area of keels in m²", limits.LARGEST_WIND_AREA),
         sharp_bilges=wind.sharp_bilges,
-        roll_period=as_typed(wind.roll_period) or None,
+        roll_period=number(wind.roll_period, "The roll's period in s", limits.LONGEST_ROLL_PERIOD)
+        or None,
     )
