@@ -200,17 +200,17 @@ def test_pairs_are_shown_on_both_hulls(paper_pair):
     pairs = made.hull.morph.parents[1].pairs
     assert len(shown) == 2 * len(pairs)
     for pair, (own, other) in zip(pairs, zip(shown[::2], shown[1::2])):
-        assert (own.hull, other.hull) == (first.name, second.name)
+        assert (own.address, other.address) == (first.as_pointer(), second.as_pointer())
         assert own.colour == other.colour == tuple(pair.colour)
     for line in shown:
-        hull = bpy.data.objects[line.hull]
+        hull = next(one for one in (first, second) if one.as_pointer() == line.address)
         tree = part("bridge.native").require().SurfaceTree(state_of(hull).ship.surface)
         assert tree.closest_points(line.polylines[0]).distances.max() < 1e-6
     made.hull.morph.feature = made.hull.morph.features[2].name
     bpy.context.view_layer.update()
     chosen = state_of(made).of(lines_of.PairLines).lines
     assert len(chosen) == len(shown) + 1
-    assert (chosen[-1].hull, chosen[-1].colour) == (first.name, (1.0, 1.0, 1.0))
+    assert (chosen[-1].address, chosen[-1].colour) == (first.as_pointer(), (1.0, 1.0, 1.0))
     assert np.array_equal(chosen[-1].polylines, shown[2 * 2].polylines)
     made.hull.morph.feature = ""
     bpy.context.view_layer.update()
@@ -219,6 +219,8 @@ def test_pairs_are_shown_on_both_hulls(paper_pair):
         type("Shown", (), {"hull": hull, "state": state_of(hull)})()
         for hull in (made, first, second)
     ]
+    assert len(overlay.wanted(views)) == len(shown)
+    first.name = "Renamed"
     assert len(overlay.wanted(views)) == len(shown)
     second.data.vertices[0].co.z += 1.0
     second.update_tag(refresh={"DATA"})

@@ -12,10 +12,10 @@ _LAYER = 2  # of to_view: nearer than the hull's own lines
 def wanted(shown_hulls):
     """Pairs (HullInView, PairLine) to be drawn, of HullInViews."""
     found = []
-    by_name = {shown.hull.name: shown for shown in shown_hulls}
+    by_address = {shown.hull.as_pointer(): shown for shown in shown_hulls}
     for shown in shown_hulls:
         for line in shown.state.of(pair_lines.PairLines).lines:
-            own = by_name.get(line.hull)
+            own = by_address.get(line.address)
             if own is not None and own.state.ship.geometry_key == line.geometry_key:
                 found.append((own, line))
     return found

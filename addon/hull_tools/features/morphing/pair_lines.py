@@ -17,10 +17,10 @@ _CHOSEN = (1.0, 1.0, 1.0)
 
 @dataclass(frozen=True, eq=False)
 class PairLine:
-    """A line of a pair on one hull, by its name, while its surface has this key: polylines of
-    points (k, 3) in m; a half hull's are shown on both sides."""
+    """A line of a pair on one hull, by the object's address, while its surface has this key:
+    polylines of points (k, 3) in m; a half hull's are shown on both sides."""
 
-    hull: str
+    address: int
     geometry_key: tuple
     polylines: list
     is_mirrored: bool
@@ -51,13 +51,13 @@ def follow(obj, scene):
     pairs = tuple((pair.first, pair.second, tuple(pair.colour)) for pair in entry.pairs)
     chosen = tuple(_chosen_numbers(obj.hull.morph, entry))
     geometry = [one.ship.geometry_key for one in states]
-    key = (*(hull.name for hull in hulls), *geometry, pairs, chosen)
+    key = (*(hull.as_pointer() for hull in hulls), *geometry, pairs, chosen)
     if shown.key == key or None in geometry:
         return
     known = {one.ship.geometry_key: _curves(shown, one) for one in states}
     shown.graphs, shown.key = known, key
     shown.lines = [
-        PairLine(hull.name, own, known[own][number], hull.hull.half, colour)
+        PairLine(hull.as_pointer(), own, known[own][number], hull.hull.half, colour)
         for first, second, colour in (*pairs, (*chosen, _CHOSEN))
         for hull, own, number in zip(hulls, geometry, (first, second))
         if number is not None and number < len(known[own])
