@@ -111,7 +111,7 @@ def turn(here, frames):
     pivot = here.find(_PIVOT)
     if pivot is None or camera_of(here.collection, VIEWS[TURNTABLE]).parent is not pivot:
         raise ValueError("The turntable is not as it was set up: set up the studio anew")
-    pivot.animation_data_clear()
+    _forget_turn(pivot)
     pivot.rotation_mode = "XYZ"
     for frame_number, angle in ((1, 0.0), (frames + 1, tau)):
         pivot.rotation_euler = (0.0, 0.0, angle)
@@ -120,6 +120,13 @@ def turn(here, frames):
     for curve in pivot.animation_data.action.fcurves:
         for key in curve.keyframe_points:
             key.interpolation = "LINEAR"
+
+
+def _forget_turn(pivot):
+    action = None if pivot.animation_data is None else pivot.animation_data.action
+    pivot.animation_data_clear()
+    if action is not None and not action.users:
+        bpy.data.actions.remove(action)
 
 
 def _axes(view):
