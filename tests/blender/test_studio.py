@@ -407,3 +407,36 @@ def test_a_surface_without_a_slot_is_painted():
     assert shown.material_slots[0].material.name.startswith("Studio hull paint")
     assert bpy.ops.hull.remove_studio() == {"FINISHED"}
     assert shown.material_slots[0].link == "DATA"
+
+
+@pytest.mark.parametrize("first_goes_first", (True, False))
+def test_two_scenes_have_studios_of_one_hull(first_goes_first):
+    hull, other = add_hull(), bpy.data.scenes.new("other")
+    shown, beside = hull.hull.surface_object, bpy.data.objects.new("beside", None)
+    bpy.context.collection.objects.link(beside)
+    for obj in (hull, shown, beside):
+        other.collection.objects.link(obj)
+    hull.hull.samples = 5
+    hull.hide_render = False
+    slot, make, remove = shown.material_slots[0], studio().make, studio().remove
+    before = blocks(), slot.link, slot.material
+    make(hull, scene())
+    make(hull, other)
+    scenes = [scene(), other] if first_goes_first else [other, scene()]
+    assert remove(scenes[0])
+    assert hull.hull.samples == 12 and hull.hide_render and beside.hide_render
+    assert slot.material == studio().find(scenes[1])["paint"]
+    assert remove(scenes[1])
+    assert hull.hull.samples == 5 and not hull.hide_render and not beside.hide_render
+    assert (blocks(), slot.link, slot.material) == before
+
+
+def test_a_turntable_that_is_set_again_leaves_nothing():
+    hull = add_hull()
+    before = blocks()
+    set_up(hull)
+    for frames in (90, 120):
+        hull.hull.studio.turntable_frames = frames
+        assert bpy.ops.hull.studio_turntable() == {"FINISHED"}
+    bpy.ops.hull.remove_studio()
+    assert blocks() == before

@@ -17,7 +17,7 @@ from . import (
     views,
     water_or_floor,
 )
-from .place import MARK, find, hull_of, place_of
+from .place import MARK, find, hull_of, others, place_of
 
 # Faces along each side of a cell: fine enough that a facet shows nowhere in the picture.
 _SAMPLES = 12
@@ -34,7 +34,7 @@ def make(hull, scene):
     collection = bpy.data.collections.new(f"Studio of {hull.name}")
     collection[MARK] = {
         "hull": hull,
-        "samples": hull.hull.samples,
+        "samples": _samples_before(hull, scene),
         "in water": settings.ground == "WATER",
         "lines": settings.lines,
     }
@@ -60,7 +60,7 @@ def _furnish(here, settings):
     """Paint, deck, water or floor, and light."""
     surface_object = shown_objects.surface_of(here.hull)
     if settings.paint:
-        _paint(here.collection, surface_object, paint.hull_paint(here, settings))
+        _paint(here, surface_object, paint.hull_paint(here, settings))
     if settings.deck:
         deck.add_deck(here, paint.deck_paint(here))
     backdrop = light.backdrop_of(settings.light)
@@ -71,25 +71,42 @@ def _furnish(here, settings):
     here.scene.world = here.collection["own world"] = light.add_light(here, settings.light)
 
 
-def _paint(collection, surface_object, material):
-    """Paints the surface object, and notes what it had; its mesh keeps its own material."""
+def _samples_before(hull, scene):
+    """Those of a hull that no studio has changed."""
+    known = (own[MARK]["samples"] for _, own in others(scene) if own[MARK].get("hull") == hull)
+    return next(known, hull.hull.samples)
+
+
+def _painted_in(studios, surface_object):
+    """The studio among place.others that has painted a surface object, too; None without."""
+    return next((own for _, own in studios if own.get("painted") == surface_object), None)
+
+
+def _paint(here, surface_object, material):
+    """Paints the surface object, and notes what it had before any studio; its mesh keeps its own
+    material."""
     if not surface_object.material_slots:
         surface_object.data.materials.append(None)
     slot = surface_object.material_slots[0]
     was = {"link": slot.link}
     if slot.link == "OBJECT" and slot.material is not None:
         was["material"] = slot.material
-    collection["painted"] = surface_object
-    collection["material"] = was
+    other = _painted_in(others(here.scene), surface_object)
+    here.collection["material"] = was if other is None else dict(other["material"].items())
+    here.collection["painted"], here.collection["paint"] = surface_object, material
     slot.link = "OBJECT"
     slot.material = material
 
 
-def _unpaint(collection):
+def _unpaint(collection, studios):
     surface_object = collection.get("painted")
     if surface_object is None or not surface_object.material_slots:
         return
     slot, was = surface_object.material_slots[0], collection["material"]
+    other = _painted_in(studios, surface_object)
+    if other is not None and other.get("paint") is not None:
+        slot.material = other["paint"]
+        return
     slot.material = was.get("material")
     slot.link = was["link"]
 
@@ -136,11 +153,13 @@ def remove(scene):
     collection = find(scene)
     if collection is None:
         return False
-    scene_settings.show_as_before(collection)
-    _unpaint(collection)
+    studios = others(scene)
+    scene_settings.show_as_before(collection, studios)
+    _unpaint(collection, studios)
     scene_settings.give_back(collection, scene)
     hull, samples = collection[MARK].get("hull"), collection[MARK]["samples"]
-    if hull is not None and hull.hull.samples != samples:
+    is_elsewhere = any(own[MARK].get("hull") == hull for _, own in studios)
+    if hull is not None and hull.hull.samples != samples and not is_elsewhere:
         hull.hull.samples = samples
     blocks = _remove_objects(collection, scene)
     blocks.append(collection.get("own world"))

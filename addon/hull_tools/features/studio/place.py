@@ -76,6 +76,12 @@ def find(scene):
     return None
 
 
+def others(scene):
+    """Pairs (scene, its studio's collection) of all other scenes that have one."""
+    own, found = find(scene), ((other, find(other)) for other in bpy.data.scenes)
+    return [pair for pair in found if pair[1] not in (None, own)]
+
+
 def hull_of(scene):
     """The hull that the scene's studio is for; None when there is no studio, or no such hull."""
     collection = find(scene)

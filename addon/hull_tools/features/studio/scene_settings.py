@@ -90,13 +90,29 @@ def show_only(collection, scene, seen):
 
 def _turn(collection, name, objects, seen, hide):
     changed = [obj for obj in objects if (obj in seen) != hide]
-    collection[name] = {str(index): obj for index, obj in enumerate(changed)}
+    _note_turned(collection, name, changed)
     for obj in changed:
         obj.hide_render = hide
 
 
-def show_as_before(collection):
-    for name in ("hidden", "shown"):
-        for obj in collection[name].values():
-            if obj is not None:
+def _note_turned(collection, name, objects):
+    collection[name] = {str(index): obj for index, obj in enumerate(objects)}
+
+
+def _turned(collection, name):
+    return [obj for obj in collection[name].values() if obj is not None]
+
+
+def show_as_before(collection, others):
+    """others: as place.others gives them; what is in one of these scenes stays as it is, and is put
+    back with the studio there."""
+    for name, opposite in (("hidden", "shown"), ("shown", "hidden")):
+        for obj in _turned(collection, name):
+            keeper = next((kept for scene, kept in others if obj.name in scene.objects), None)
+            if keeper is None:
                 obj.hide_render = name == "shown"
+            elif obj in (turned := _turned(keeper, opposite)):  # turned there to what it was before
+                turned.remove(obj)
+                _note_turned(keeper, opposite, turned)
+            else:
+                _note_turned(keeper, name, [*_turned(keeper, name), obj])
