@@ -181,3 +181,31 @@ def test_all_that_fields_have_is_kept_by_hull_files(tmp_path):
     points, _ = part("bridge.objects.curve_lines").points_of(first.becomes, again)
     assert points.tolist() == [[60, 6, 5], [70, 5, 5]]
     assert faces.of_field(again, second).tolist() == [3, 4, 9]
+
+
+def test_faces_of_a_joined_hull_are_of_no_field_of_the_other():
+    faces = part("bridge.objects.field_faces")
+    first, second = sample(), sample()
+    for hull in (second, first):
+        bpy.context.view_layer.objects.active = hull
+        faces.give(hull, add(hull, side_point(hull), base="FACES"), [30, 31])
+    bpy.ops.object.select_all(action="DESELECT")
+    for hull in (second, first):
+        hull.select_set(True)
+    count = len(first.data.polygons)
+    bpy.ops.object.join()
+    assert len(first.data.polygons) == 2 * count
+    assert faces.of_field(first, first.hull.fields.fields[0]).tolist() == [30, 31]
+
+
+def test_more_fields_have_faces_than_there_are_numbers():
+    faces, most = part("bridge.objects.field_faces"), part("bridge.limits").MOST_FIELDS
+    first, second = sample(), sample()
+    for hull in (first, second):
+        bpy.context.view_layer.objects.active = hull
+        hull.hull.fields.show_fields = False
+        for number in range(most):
+            faces.give(hull, add(hull, side_point(hull), base="FACES"), [number])
+    for hull in (first, second):
+        rows = hull.hull.fields.fields
+        assert [faces.of_field(hull, row).tolist() for row in rows] == [[i] for i in range(most)]

@@ -2,6 +2,7 @@
 """Faces of the control mesh on which shape fields are based: each face has a bit for each field, so
 that it may be of several."""
 
+import bpy
 import numpy as np
 
 from .. import limits
@@ -42,8 +43,12 @@ def forget(obj, field):
 
 
 def _free_number(obj):
-    used = {field.faces_number for field in obj.hull.fields.fields}
-    return next(i for i in range(1, limits.MOST_FIELDS + 1) if i not in used)
+    """One that no field of any hull has, as long as there is such a one, so that faces of a hull
+    that is joined to another are of no field there."""
+    own = {field.faces_number for field in obj.hull.fields.fields}
+    used = {field.faces_number for other in bpy.data.objects for field in other.hull.fields.fields}
+    numbers = [i for i in range(1, limits.MOST_FIELDS + 1) if i not in own]
+    return next((i for i in numbers if i not in used), numbers[0])
 
 
 def _bit(field):
