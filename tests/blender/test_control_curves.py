@@ -221,3 +221,39 @@ def test_what_is_no_chain_is_refused():
             operator()
     assert not len(hull.hull.fairness.curves)
     bpy.ops.object.mode_set(mode="OBJECT")
+
+
+def test_joined_hulls_keep_the_curves_of_both():
+    first, second = with_two(), None
+    bpy.ops.object.mode_set(mode="OBJECT")
+    second = with_two()
+    bpy.ops.object.mode_set(mode="OBJECT")
+    curves = second.hull.fairness.curves
+    curves[0].name, curves[1].name, curves[1].is_shown = "tangent", "rail", False
+    for vertex in second.data.vertices:
+        vertex.co.z += 20.0
+    second.data.update()
+    second.update_tag(refresh={"DATA"})
+    bpy.context.view_layer.update()
+    count = len(first.data.vertices)
+    second.select_set(True)
+    bpy.context.view_layer.objects.active = first
+    first.select_set(True)
+    bpy.ops.object.join()
+    bpy.context.view_layer.update()
+    assert listed(first) == ["chine", "sheer", "tangent", "rail"]
+    moved = np.array(line(4)[:5]) + count
+    assert edges_of(first, "sheer") == keys(line(4)[:5]) and edges_of(first, "rail") == keys(moved)
+    assert [curve.is_shown for curve in first.hull.fairness.curves] == [True, True, True, False]
+
+
+def test_read_hulls_have_curves_of_their_own(tmp_path):
+    hull = with_two()
+    bpy.ops.object.mode_set(mode="OBJECT")
+    path = str(tmp_path / "after.hull.json")
+    assert bpy.ops.hull.export_hull(filepath=path) == {"FINISHED"}
+    assert bpy.ops.hull.import_hull(filepath=path) == {"FINISHED"}
+    again = bpy.context.object
+    assert again != hull and listed(again) == listed(hull) == ["chine", "sheer"]
+    numbers = [{curve.number for curve in one.hull.fairness.curves} for one in (hull, again)]
+    assert not numbers[0] & numbers[1]

@@ -11,7 +11,7 @@ import numpy as np
 
 from ....hull_io import control_rows
 from ...bridge.mesh import curve_marks, row_marks, selection
-from ..hull import hull_state
+from ..hull import curve_entries, hull_state
 from . import row_choice
 
 
@@ -31,13 +31,10 @@ def add(obj, scene, name=""):
     ids = control.vertex_ids
     pairs = [(int(ids[a]), int(ids[b])) for a, b in edges]
     fairness = obj.hull.fairness
-    known = [entry.number for entry in fairness.curves]
-    number = 1 + max([0, *known, *curve_marks.numbered(obj.data)[1].tolist()])
+    number = curve_entries.new_number(obj)
     curve_marks.give(obj.data, pairs, number)
     row_marks.mark(obj.data, [*row_marks.marked(obj.data).tolist(), *pairs])
-    entry = fairness.curves.add()
-    entry.number = number
-    entry.name = name or f"Curve {number}"
+    entry = curve_entries.add(obj, number, name or f"Curve {len(fairness.curves) + 1}")
     fairness.active_curve = len(fairness.curves) - 1
     fairness.comb_rows = True
     hull_state.follow_edit(obj, scene, is_by_hand=False)

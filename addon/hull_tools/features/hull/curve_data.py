@@ -4,15 +4,15 @@
 from ....hull_io.hull_curves import ControlCurve
 from ....hull_io.hull_data import edge_key, face_edges
 from ...bridge.mesh import curve_marks, edge_marks, row_marks
+from . import curve_entries
 
 
 def give_curves(obj, curves):
     """Gives an object, not in edit mode, these ControlCurves."""
     fairness = obj.hull.fairness
     fairness.curves.clear()
-    for number, curve in enumerate(curves, start=1):
-        entry = fairness.curves.add()
-        entry.name, entry.number, entry.is_shown = curve.name, number, curve.shown
+    for number, curve in enumerate(curves, start=curve_entries.new_number(obj)):
+        curve_entries.add(obj, number, curve.name, curve.shown)
         curve_marks.give(obj.data, curve.edges, number)
     if curves:
         numbers = edge_marks.stored_values(obj.data, curve_marks.ATTRIBUTE)

@@ -21,6 +21,7 @@ from ..flotation.live_hydrostatics import LiveHydrostatics
 from ..flotation.live_ship import LiveShip
 from ..lines.live_lines import LiveLines
 from ..surface.shown_surface import ShownSurface
+from . import curve_entries
 from .noticed_scale import NoticedScale
 from .plausible import Plausible
 
@@ -108,6 +109,7 @@ def follow_edit(obj, scene, is_by_hand=True, may_wait=False, placed=None):
     """
 
     def read(state):
+        curve_entries.follow(obj)
         found = state.keeping.keep(obj, state.ship, is_by_hand)
         if placed is None:
             return found
@@ -241,6 +243,7 @@ def forget(obj):
 
 def forget_all():
     _states.clear()
+    curve_entries.forget_all()
 
 
 def forget_shown():
