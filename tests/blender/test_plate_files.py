@@ -274,3 +274,48 @@ def test_plates_are_told_of_as_they_were_once_something_else_is_asked_for():
         assert not is_current(), name
         setattr(group, name, before)
     assert is_current()
+
+
+def line_of(points, edges):
+    mesh = bpy.data.meshes.new("Line")
+    mesh.from_pydata(points, edges, [])
+    line = bpy.data.objects.new("Line", mesh)
+    bpy.context.scene.collection.objects.link(line)
+    return line
+
+
+@pytest.mark.parametrize("edges, order", [
+    ([(0, 3), (3, 2), (2, 1)], [0, 3, 2, 1]),
+    ([(2, 0), (0, 1), (1, 3)], [2, 0, 1, 3]),
+    ([(0, 1), (1, 2), (2, 3)], [0, 1, 2, 3]),
+    ([(0, 1), (1, 2), (2, 3), (3, 0)], [0, 1, 2, 3]),
+    ([], [0, 1, 2, 3]),
+])  # fmt: skip
+def test_seams_are_projected_along_edges(edges, order):
+    hull = add_hull()
+    points = np.array([(1.0, 3.0, 1.0), (4.0, 3.0, 1.5), (3.0, 3.0, 1.2), (2.0, 3.0, 1.1)])
+    found = part("features.hull.plating_data").points_of(line_of(points.tolist(), edges), hull)
+    assert np.allclose(found, points[order])
+
+
+@pytest.mark.parametrize("edges, told", [
+    ([(0, 1), (2, 3)], "no single line"),
+    ([(0, 1), (0, 2), (0, 3)], "no single line"),
+    ([(0, 1), (1, 2), (2, 0)], "no single line"),
+    (None, "no mesh or curve object"),
+])  # fmt: skip
+def test_what_is_no_line_to_be_projected_is_told(edges, told, tmp_path):
+    hull = add_hull()
+    bpy.ops.hull.change_plate_list(action="ADD_RULE")
+    rule = hull.hull.plates.rules[0]
+    rule.kind = "projected"
+    if edges is None:
+        rule.line = bpy.data.objects.new("Light", bpy.data.lights.new("Light", "SUN"))
+    else:
+        points = [(1.0, 3.0, 1.0), (4.0, 3.0, 1.5), (3.0, 3.0, 1.2), (2.0, 3.0, 1.1)]
+        rule.line = line_of(points, edges)
+    with pytest.raises(RuntimeError, match=told):
+        bpy.ops.hull.lay_out_plates()
+    with pytest.raises(RuntimeError, match=told):
+        bpy.ops.hull.export_hull(filepath=str(tmp_path / "a.hull.json"))
+    assert not list(tmp_path.iterdir())

@@ -60,15 +60,46 @@ def _rule(rule, obj, scale):
 
 
 def points_of(line, obj):
-    """(k, 3) in another object's axes and units: the points of a mesh object in their order, or of
-    a curve object, as evaluated. ValueError where there are fewer than two."""
+    """(k, 3) in another object's axes and units: the points of a mesh object along its edges, or
+    in their order where it has none, or faces; or of a curve object, as evaluated. ValueError for
+    other objects, for fewer than two points, and for edges that are no single line."""
+    if line.type not in ("MESH", "CURVE"):
+        raise ValueError(f"{line.name} is no mesh or curve object: choose another one")
     mesh = line.to_mesh()
     try:
         points = np.empty(3 * len(mesh.vertices))
         mesh.vertices.foreach_get("co", points)
+        edges = np.empty(2 * len(mesh.edges), dtype=np.int32)
+        mesh.edges.foreach_get("vertices", edges)
+        has_faces = len(mesh.polygons) > 0
     finally:
         line.to_mesh_clear()
     if len(points) < 6:
         raise ValueError(f"{line.name} has fewer than two points to be projected")
+    points = points.reshape(-1, 3)
+    if len(edges) and not has_faces:
+        points = points[_along(edges.reshape(-1, 2), len(points), line.name)]
     matrix = np.array(hull_objects.from_world(obj) @ line.matrix_world)
-    return points.reshape(-1, 3) @ matrix[:3, :3].T + matrix[:3, 3]
+    return points @ matrix[:3, :3].T + matrix[:3, 3]
+
+
+def _along(edges, count, name):
+    """[k] the points of a count from one end of a line of edges (k, 2) to the other, or around. In
+    a mesh the points of an edge that was divided are the last ones."""
+    beside = [[] for _ in range(count)]
+    for a, b in edges.tolist():
+        beside[a].append(b)
+        beside[b].append(a)
+    start = next((i for i, others in enumerate(beside) if len(others) == 1), 0)
+    found, last = [start], None
+    while True:
+        onwards = sorted(i for i in beside[found[-1]] if i != last)
+        last = found[-1]
+        if not onwards or onwards[0] == start:
+            break
+        found.append(onwards[0])
+        if len(found) > count:
+            break
+    if len(found) != count or max(map(len, beside)) > 2:
+        raise ValueError(f"{name} is no single line: leave one without branches and loose points")
+    return found
