@@ -284,6 +284,36 @@ def line_of(points, edges):
     return line
 
 
+@pytest.mark.parametrize("is_curve", (False, True))
+def test_plates_are_told_of_as_they_were_once_a_line_has_changed(is_curve):
+    hull = sample("planing_boat")
+    hull.data.update()
+    low, high = (function(v.co.z for v in hull.data.vertices) for function in (min, max))
+    points = [(-100.0, 9.0, 0.5 * (low + high)), (100.0, 9.0, 0.5 * (low + high))]
+    if is_curve:
+        line = part("bridge.objects.curve_lines").made("Line", points, False, hull)
+        own = line.data.splines[0].points
+    else:
+        line = line_of(points, [(0, 1)])
+        own = line.data.vertices
+    bpy.ops.hull.change_plate_list(action="ADD_RULE")
+    hull.hull.plates.rules[0].kind, hull.hull.plates.rules[0].line = "projected", line
+    assert bpy.ops.hull.lay_out_plates() == {"FINISHED"}
+    last = part("features.production.plate_files").last_plates
+    assert last(hull)[1]
+    before = own[0].co.copy()
+    own[0].co.z += 0.05
+    assert not last(hull)[1]
+    own[0].co = before
+    assert last(hull)[1]
+    hull.location.x += 1.0
+    bpy.context.view_layer.update()
+    assert not last(hull)[1]
+    line.location.x += 1.0
+    bpy.context.view_layer.update()
+    assert last(hull)[1]
+
+
 @pytest.mark.parametrize("edges, order", [
     ([(0, 3), (3, 2), (2, 1)], [0, 3, 2, 1]),
     ([(2, 0), (0, 1), (1, 3)], [2, 0, 1, 3]),

@@ -12,6 +12,7 @@ _PLAIN = (
     *("mark_waterlines", "mark_buttocks"),
 )
 _MM = 1000.0
+_DIGITS = 6  # of matrices: more are rounding where a hull and its lines have moved together
 
 
 def give_plating(obj, plating, scale):
@@ -81,6 +82,26 @@ def points_of(line, obj):
         points = points[_along(edges.reshape(-1, 2), len(points), line.name)]
     matrix = np.array(hull_objects.from_world(obj) @ line.matrix_world)
     return points @ matrix[:3, :3].T + matrix[:3, 3]
+
+
+def key_of(line, obj):
+    """What points_of() depends on, to be compared without having them made."""
+    matrix = obj.matrix_world.inverted_safe() @ line.matrix_world
+    key = [tuple(round(value, _DIGITS) for row in matrix for value in row)]
+    if line.type == "MESH":
+        key += [_numbers(line.data.vertices, "co", 3), _numbers(line.data.edges, "vertices", 2)]
+    elif line.type == "CURVE":
+        for spline in line.data.splines:
+            key += [spline.use_cyclic_u, spline.resolution_u, _numbers(spline.points, "co", 4)]
+            knots = spline.bezier_points
+            key += [_numbers(knots, name, 3) for name in ("co", "handle_left", "handle_right")]
+    return tuple(key)
+
+
+def _numbers(entries, name, size):
+    values = np.empty(size * len(entries), dtype=np.int32 if name == "vertices" else np.float32)
+    entries.foreach_get(name, values)
+    return values.tobytes()
 
 
 def _along(edges, count, name):

@@ -11,7 +11,7 @@ from ...bridge import limits, native
 from ...bridge.background import jobs
 from ..conversion import conversions
 from ..exchange.endings import checked_ending
-from ..hull import hull_state
+from ..hull import hull_state, plating_data
 from . import plate_marks, plate_rules
 
 # Knuckles in the centre plane that may have been meant to be none, rad; others are keels and stems.
@@ -90,11 +90,11 @@ class KeptPlates:
 
 
 def what_is_asked(obj):
-    """What a hull asks for of its plates, to be compared: rules, where lines of them stand, and
+    """What a hull asks for of its plates, to be compared: rules, their lines as they stand, and
     thicknesses of layers."""
     settings = obj.hull.plates
     rules = [
-        (rule.kind, rule.value, rule.line and (rule.line.name, *map(tuple, rule.line.matrix_world)))
+        (rule.kind, rule.value, rule.line and plating_data.key_of(rule.line, obj))
         for rule in settings.rules
         if rule.on
     ]
