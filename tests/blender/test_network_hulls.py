@@ -5,7 +5,7 @@ import bpy
 import numpy as np
 import pytest
 from addon_under_test import make_active, part, sample
-from networks import add, grid_network, new_network
+from networks import add, grid_network, move_point, new_network
 from test_panels import texts
 
 pytestmark = pytest.mark.once
@@ -62,6 +62,13 @@ def test_the_lines_of_a_hull_become_a_hull():
     bpy.ops.hull.show_network_miss(index=0)
     assert np.allclose(bpy.context.scene.cursor.location, worst.place, atol=1e-4)
     # What is changed later is told.
+    curves = part("bridge.objects.networks").curves_of(network)
+    curve = next(one for one in curves if one.hull.curve.kind == "STATION")
+    move_point(curve, 1, (0.0, 0.25, 0.0))
+    assert not to_hull.last_report(network)[1] and to_hull.of_curve(network, worst.name) is None
+    assert any("Out of date" in text for text in panel_of(network))
+    move_point(curve, 1, (0.0, -0.25, 0.0))
+    assert to_hull.last_report(network)[1]
     hull.data.vertices[0].co.z += 0.1
     hull.data.update()
     bpy.context.view_layer.update()
