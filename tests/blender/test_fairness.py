@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Combs, colours and lines of light: the numbers of the native module, only where switched on."""
 
+from types import SimpleNamespace
+
 import bmesh
 import bpy
 import numpy as np
@@ -304,6 +306,26 @@ def test_the_legend_says_what_the_colours_mean():
     scale = state_of(hull).shown.colour_scale
     assert colours[0][:3] == pytest.approx(scale.legend_colours(2)[0])
     assert legend.legend_of(None) is None
+
+
+def test_a_hull_that_is_not_seen_has_no_legend():
+    hull, legend = round_hull(), part("overlays.legend")
+    hull.hull.fairness.colours = "GAUSSIAN"
+    bpy.context.view_layer.update()
+    areas = (area for screen in bpy.data.screens for area in screen.areas)
+    view = next(area.spaces.active for area in areas if area.type == "VIEW_3D")
+    context = SimpleNamespace(view_layer=bpy.context.view_layer, space_data=view)
+    assert legend.legend_in_view(context, hull) is legend.legend_of(hull) is not None
+    assert legend.legend_in_view(context, None) is None
+    view.shading.type = "WIREFRAME"
+    assert legend.legend_in_view(context, hull) is None
+    view.shading.type = "SOLID"
+    hull.hull.surface_object.hide_set(True)
+    bpy.context.view_layer.update()
+    assert legend.legend_in_view(context, hull) is None
+    hull.hull.surface_object.hide_set(False)
+    bpy.context.view_layer.update()
+    assert legend.legend_in_view(context, hull) is not None
 
 
 def test_the_legend_is_of_the_colours_that_are_left_when_the_mesh_has_errors():

@@ -8,11 +8,11 @@ from gpu_extras.batch import batch_for_shader
 
 from ..bridge.blender import blender_versions, units, view_room
 from ..bridge.blender.palette import INK, PAPER
-from ..bridge.objects import hull_objects
+from ..bridge.objects import hull_objects, shown_objects
 from ..features.hull import hull_state
 from ..features.surface import colours
 from . import legend_arrays
-from .view import Handler
+from .view import Handler, is_shaded
 
 _FONT = 0
 _TEXT_MM = 2.5
@@ -35,12 +35,18 @@ def legend_of(hull):
     return _made[1]
 
 
+def legend_in_view(context, hull):
+    """The same where the 3D view at hand shows the surface, else None."""
+    is_seen = hull is not None and is_shaded(context, shown_objects.surface_of(hull))
+    return legend_of(hull) if is_seen else None
+
+
 def _draw():
     context = bpy.context
     if context.region is None or not context.space_data.overlay.show_overlays:
         return
     hull = hull_objects.hull_of(context.view_layer.objects.active)
-    arrays = legend_of(hull)
+    arrays = legend_in_view(context, hull)
     if arrays is not None:
         _draw_legend(context, arrays, is_low=hull.hull.plots.corner == "TOP_LEFT")
 
