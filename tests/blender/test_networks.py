@@ -135,3 +135,14 @@ def test_without_curves_there_is_no_surface():
     bpy.context.view_layer.update()
     finish()
     assert not len(shown.data.polygons)
+
+
+def test_a_curve_is_drawn_in_its_scene_alone():
+    network, drawing = grid_network(), part("features.networks.drawing")
+    other = bpy.data.scenes.new("other")
+    pen = drawing.begin(network, bpy.context.scene, "STATION", 5.0, 0.0)
+    try:
+        assert drawing.at_hand(bpy.context.scene) is pen and drawing.at_hand(other) is None
+    finally:
+        drawing.end()
+    assert drawing.at_hand(bpy.context.scene) is None

@@ -190,10 +190,10 @@ def test_escape_draws_nothing(window):
             window.click()
         window.press("BACK_SPACE")
         yield
-        assert len(part("features.networks.drawing").at_hand().points) == 2
+        assert len(part("features.networks.drawing").at_hand(bpy.context.scene).points) == 2
         window.press("ESC")
         yield
-        assert part("features.networks.drawing").at_hand() is None
+        assert part("features.networks.drawing").at_hand(bpy.context.scene) is None
         assert not network().objects
     finally:
         sidebar.show_all_panels()

@@ -85,7 +85,7 @@ def _nodes(found, colour, size):
 
 
 def _draw_marks():
-    pen = drawing.at_hand()
+    pen = drawing.at_hand(bpy.context.scene)
     for context, network, found in _seen_networks():
         scale = context.preferences.system.ui_scale
         is_light = _is_on_light(context, network)

@@ -24,13 +24,13 @@ def begin(network, scene, kind, position, angle):
     state = network_state.follow(network, scene)
     placed = adding.plane_for(kind, position, angle)
     cursor = np.array(scene.cursor.location, dtype=np.float64)
-    _pen = Pen(state, planes.carrier(*placed), cursor)
+    _pen = Pen(state, planes.carrier(*placed), cursor, scene.name_full)
     return _pen
 
 
-def at_hand():
-    """The Pen that draws; None without one."""
-    return _pen
+def at_hand(scene):
+    """The Pen that draws in a scene; None without one."""
+    return _pen if _pen is not None and _pen.scene_name == scene.name_full else None
 
 
 def end():
@@ -40,9 +40,10 @@ def end():
 
 class Pen:
     """points: lists of 3 in the world; knuckles: their numbers; place: where the next one would be,
-    None where the view looks along the plane."""
+    None where the view looks along the plane. scene_name: of the scene that it draws in."""
 
-    def __init__(self, state, carrier, cursor):
+    def __init__(self, state, carrier, cursor, scene_name):
+        self.scene_name = scene_name
         self.points, self.knuckles, self.place, self.is_snapped = [], [], None, False
         self._carrier, self._cursor = carrier, cursor
         self._targets = _targets(state, carrier)
