@@ -340,3 +340,25 @@ def test_what_is_tied_follows_a_curve_that_was_renamed():
     moved = points_of(network.objects["Buttock 5"])
     assert np.abs(moved - before).max() == pytest.approx(1.0, abs=1e-6)
     assert "Main frame" in state_of(network).curves and "Station 5" not in state_of(network).curves
+
+
+def test_a_copy_that_shares_its_data_moves_nothing():
+    """As Alt D makes it: what was written to one would move the other."""
+    network = grid_network()
+    curves = part("bridge.objects.networks").curves_of(network)
+    station = next(one for one in curves if one.name == "Station 10")
+    before = points_of(station)
+    twin = station.copy()
+    network.objects.link(twin)
+    for x in (5.0, 7.0):
+        twin.location.x = x
+        bpy.context.view_layer.update()
+        assert np.array_equal(points_of(station), before)
+    (told,) = (one for one in state_of(network).problems if twin.name in one.curves)
+    assert "single-user" in told.text and state_of(network).is_joined
+    move_point(station, 1, (0.0, 0.0, 0.3))
+    assert np.allclose(points_of(station)[1], before[1] + (0.0, 0.0, 0.3), atol=1e-5)
+    twin.data = twin.data.copy()
+    bpy.context.view_layer.update()
+    assert not any("single-user" in one.text for one in state_of(network).problems)
+    assert twin.name in state_of(network).curves

@@ -136,15 +136,16 @@ def _read(network, state, changed):
     except ValueError as error:
         state.read = {}
         return [Problem(str(error), is_fatal=True)], {}, set()
-    read = {}
+    read, owners = {}, {}
     for obj in found:
-        name = obj.name
-        if changed is not None and name not in changed and name in state.curves:
+        name, owner = obj.name, owners.setdefault(obj.data, obj)
+        is_told = changed is None or name in changed or obj != owner
+        if not is_told and name in state.curves:
             if name in state.read:
                 objects[name], read[name] = obj, state.read[name]
                 continue
         try:
-            reason = bezier_curves.refusal(obj)
+            reason = bezier_curves.refusal(obj) or _shared(obj, owner)
             if reason:
                 raise ValueError(reason)
             objects[name], read[name] = obj, bezier_curves.read(obj)
@@ -153,6 +154,17 @@ def _read(network, state, changed):
             refusals.append(Problem(str(error), (name,)))
     state.read = read
     return refusals, objects, fresh
+
+
+def _shared(obj, owner):
+    """Why an object that has the data of another one of the network, which would move along with
+    each write to it, is refused; "" for any other."""
+    if obj == owner:
+        return ""
+    return (
+        f'"{obj.name}" has the same curve data as "{owner.name}": make it single-user (Object ▸ '
+        "Relations), or delete it"
+    )
 
 
 def _take_renamed(state, objects):
