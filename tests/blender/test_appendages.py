@@ -372,3 +372,17 @@ def test_a_copy_that_shares_its_mesh_is_changed_by_itself(box):
     assert copied.data != made.data
     assert (len(made.data.vertices), made.dimensions) == before
     assert copied.dimensions.x > 1.2 * made.dimensions.x
+
+
+def test_a_body_without_a_place_is_told_of_once(box):
+    """A number that is none is unlike itself: the hull would be made anew at each look."""
+    tunnel = add(box, "TUNNEL", x=7.0, z=1.2, radius=RADIUS)
+    whole = volume(box)
+    tunnel.location.x = math.nan
+    assert volume(box) > whole and tunnel.name in not_joined(box)
+    hull_state, scene = part("features.hull.hull_state"), bpy.context.scene
+    body = hull_state.state_of(box).ship.body
+    assert hull_state.refresh(box, scene).ship.body is body
+    assert hull_state.with_other_appendages(bpy.context.view_layer) == []
+    tunnel.location.x = 7.0
+    assert volume(box) == pytest.approx(whole, rel=1e-9) and not_joined(box) == ""

@@ -7,6 +7,7 @@ mesh that is seen; one that is scaled unevenly is no such body.
 """
 
 from dataclasses import dataclass
+from math import nan
 
 from mathutils import Vector
 
@@ -89,14 +90,19 @@ def described(obj, matrix=None):
         obj.name,
         own.shape,
         own.section if own.shape != "CYLINDER" else "",
-        tuple(map(tuple, points)),
-        tuple(map(tuple, directions)),
-        tuple(sizes),
-        tuple(ratios),
+        tuple(map(_like_itself, points)),
+        tuple(map(_like_itself, directions)),
+        _like_itself(sizes),
+        _like_itself(ratios),
         own.is_cut,
         own.is_mirrored,
         is_uneven,
     )
+
+
+def _like_itself(values):
+    """A tuple that equals that of the next time: what is no number is always the same object."""
+    return tuple(nan if value != value else value for value in values)
 
 
 def _cylinder(own):
