@@ -285,6 +285,36 @@ def test_what_is_to_stay_stays_beside_an_appendage():
     assert np.abs(points_of(hull) - before).max() < 1e-4
 
 
+def test_numbers_beside_an_appendage_follow_where_it_was_joined_at_a_pause(monkeypatch):
+    """While points are dragged appendages are left out."""
+    late_joining = part("features.hull.late_joining")
+    monkeypatch.setattr(late_joining, "can_wait", lambda hull: hull.mode == "EDIT")
+    hull = sample()
+    bpy.ops.hull.add_appendage(kind="TUNNEL", x=70.0, z=2.0, radius=1.0)
+    bpy.context.view_layer.objects.active = hull
+    row = add(hull, "VOLUME", 0.0)
+    present = part("features.targets.rows").present
+
+    def shown():
+        bpy.context.view_layer.update()
+        return present(row, hull, bpy.context.scene)
+
+    begun = shown()
+    bpy.ops.object.mode_set(mode="EDIT")
+    bm = bmesh.from_edit_mesh(hull.data)
+    bm.verts.ensure_lookup_table()
+    bm.verts[3].co.y *= 1.01
+    bmesh.update_edit_mesh(hull.data)
+    bpy.context.view_layer.update()
+    state = part("features.hull.hull_state").state_of(hull)
+    assert state.ship.waits
+    moved = shown()
+    assert moved != begun
+    late_joining.join()
+    assert not state.ship.waits
+    assert shown() == pytest.approx(moved, rel=1e-9)
+
+
 def test_a_section_begins_with_its_present_area():
     hull = sample()
     area = part("features.transformation.inflating").section_area

@@ -30,6 +30,7 @@ def join():
     for hull, state in hull_state.known_hulls(bpy.context.view_layer):
         if state.ship.waits:
             hull_state.refresh(hull, bpy.context.scene)
+            hull.update_tag(refresh={"DATA"})  # what goes by the joined hull follows
     redraw.redraw("VIEW_3D", "PROPERTIES")
 
 
