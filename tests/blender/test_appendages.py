@@ -386,3 +386,16 @@ def test_a_body_without_a_place_is_told_of_once(box):
     assert hull_state.with_other_appendages(bpy.context.view_layer) == []
     tunnel.location.x = 7.0
     assert volume(box) == pytest.approx(whole, rel=1e-9) and not_joined(box) == ""
+
+
+def test_an_animated_body_is_followed(box):
+    tunnel = add(box, "TUNNEL", x=7.0, z=1.2, radius=RADIUS)
+    joined, hole = volume(box), math.pi * RADIUS**2 * 4.0
+    for frame, x in ((1, 7.0), (11, 50.0)):
+        tunnel.location.x = x
+        tunnel.keyframe_insert("location", frame=frame)
+    state_of = part("features.hull.hull_state").state_of
+    for frame, wanted in ((11, joined + hole), (1, joined), (11, joined + hole)):
+        bpy.context.scene.frame_set(frame)
+        found = state_of(box).hydrostatics.values.displaced_volume
+        assert found == pytest.approx(wanted, rel=1e-7)

@@ -223,3 +223,27 @@ def test_a_base_curve_that_is_taken_out_of_the_scene_is_seen_no_longer():
     for collection in line.users_collection:
         collection.objects.unlink(line)
     assert seen_of(hull).chosen is None
+
+
+def test_an_animated_base_curve_is_followed():
+    hull = sample()
+    place = side_point(hull)
+    line = part("bridge.objects.curve_lines").made(
+        "Line", [place, place + (8.0, 0.0, 0.0)], False, hull
+    )
+    row = add(hull, place, base="CURVE", extent=6.0, shift=(0.0, 0.2, 0.0))
+    row.curve = line
+    for frame, z in ((1, 0.0), (11, 0.5)):
+        line.location.z = z
+        line.keyframe_insert("location", frame=frame)
+    for is_previewed in (False, True):
+        if is_previewed:
+            bpy.context.scene.frame_set(1)
+            assert bpy.ops.hull.preview_fields() == {"FINISHED"}
+        found = {}
+        for frame in (1, 11):
+            bpy.context.scene.frame_set(frame)
+            seen = part("features.fields.seen").of_hull(hull)
+            found[frame] = seen.chosen.anchor[2], part("bridge.mesh.mesh_points").read(hull.data)
+        assert found[11][0] - found[1][0] == pytest.approx(0.5, abs=1e-5)
+        assert np.array_equal(found[1][1], found[11][1]) != is_previewed

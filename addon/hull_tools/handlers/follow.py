@@ -94,6 +94,12 @@ def _updates_of_objects(depsgraph):
     return (one for one in depsgraph.updates if isinstance(one.id, bpy.types.Object))
 
 
+def _going_by(changed, view_layer):
+    """The hulls that go by curves and appendages among changed objects."""
+    hulls = preview.concerned(changed, view_layer)
+    return hulls + list(filter(None, map(appendages.hull_of, changed)))
+
+
 @persistent
 def after_update(scene, depsgraph):
     if unrecorded.is_undoing():
@@ -118,8 +124,7 @@ def after_update(scene, depsgraph):
     hulls = hull_objects.hulls(changed) + hull_state.with_foreign_surface(changed)
     # That a surface is not sculpted any longer is no change of its geometry.
     hulls += hull_state.with_unknown_surface({update.id.original for update in updates} - changed)
-    hulls += preview.concerned(changed, depsgraph.view_layer)
-    hulls += filter(None, map(appendages.hull_of, changed))
+    hulls += _going_by(changed, depsgraph.view_layer)
     if depsgraph.id_type_updated("SCENE"):
         hulls += hull_state.with_other_appendages(depsgraph.view_layer)
     _follow(list(dict.fromkeys(hulls)), scene, depsgraph.view_layer)
@@ -135,7 +140,9 @@ def after_frame(scene, depsgraph):
     if unrecorded.is_undoing():
         return
     changed = {update.id.original for update in _updates_of_objects(depsgraph)}
-    _follow(hull_objects.hulls(changed), scene, depsgraph.view_layer)
+    hulls = hull_objects.hulls(changed) + _going_by(changed, depsgraph.view_layer)
+    _follow(list(dict.fromkeys(hulls)), scene, depsgraph.view_layer)
+    seen.follow_curves(changed, scene, depsgraph.view_layer)
     networks.after_changes(changed, scene, has_other_members=False)
 
 
