@@ -230,6 +230,20 @@ def test_what_has_no_shape_and_no_place_is_told_by_name(setting):
 
 
 @pytest.mark.parametrize("setting", ("target", "lines"))
+def test_what_was_deleted_is_not_fitted_to(setting):
+    hull = add_hull()
+    hull.hull.fit.target = shape_of(wanted(hull))
+    gone = shape_of(wanted(hull), "gone")
+    setattr(hull.hull.fit, setting, gone)
+    make_active(gone)
+    bpy.ops.object.delete()
+    make_active(hull)
+    assert getattr(hull.hull.fit, setting) == gone  # as Blender has it
+    with pytest.raises(RuntimeError, match='"gone" is in no scene any longer'):
+        bpy.ops.hull.fit()
+
+
+@pytest.mark.parametrize("setting", ("target", "lines"))
 def test_edges_far_too_long_for_a_hull_are_refused(setting):
     hull = add_hull()
     hull.hull.fit.target = shape_of(wanted(hull))

@@ -101,9 +101,12 @@ def _on_port_side(points, normals, lines):
 def shape_arrays(obj, hull, scale):
     """(points (n, 3), triangles (m, 3), edges without faces (k, 2, 3)) of an object as the view
     shows it, on the axes of a hull, or with None those of the scene; m. ValueError where it has no
-    shape, points that are no numbers, or modifiers that Blender does not compute."""
+    shape, was deleted, has points that are no numbers, or modifiers that Blender does not
+    compute."""
     if obj.type not in _WITH_SHAPE:
         raise ValueError(f'"{obj.name}" has no shape: choose a mesh')
+    if not obj.users_scene:  # a setting keeps what was deleted
+        raise ValueError(f'"{obj.name}" is in no scene any longer: choose another mesh')
     depsgraph = bpy.context.evaluated_depsgraph_get()
     shown = obj.evaluated_get(depsgraph)
     if not obj.visible_get() and _is_without_modifiers(obj, shown, depsgraph):
