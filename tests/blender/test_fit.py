@@ -315,6 +315,16 @@ def test_it_is_given_up_when_the_surface_is_another_by_a_setting(setting, value)
     assert fitting.last_report(hull) == (None, False)
 
 
+def test_it_is_given_up_when_the_scale_of_the_scene_is_another():
+    """Or distances in other metres than the hull's were told."""
+    hull = add_hull()
+    hull.hull.fit.target = shape_of(wanted(hull))
+    task = part("features.fitting.fitting").Fitting(hull, bpy.context.scene)
+    bpy.context.scene.unit_settings.scale_length = 0.5
+    with pytest.raises(ValueError, match="changed meanwhile, and stays as it is: fit it again"):
+        task.write(bpy.context.scene)
+
+
 def box_target(deck_too):
     """Port side and bottom of a box of 10 x 4.2 x 3 m, and a house on it."""
     points = [(x, y, z) for x in (0.0, 10.0) for y in (0.0, 2.1) for z in (0.0, 3.0)]

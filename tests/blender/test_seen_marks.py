@@ -144,7 +144,7 @@ def test_new_marks_are_told_from_those_of_the_form_before():
 
 def test_marks_of_a_hull_renamed_meanwhile_are_its_own():
     hull = add_hull()
-    as_it_was = part("features.hull.as_it_was").AsItWas(hull, "count again")
+    as_it_was = part("features.hull.as_it_was").AsItWas(hull, bpy.context.scene, "count again")
     hull.name = "Another name"
     other = add_hull()
     other.name = "Hull"

@@ -16,7 +16,7 @@ class KeepingTask(jobs.JobTask):
     def __init__(self, obj, scene, asked):
         conversions.clear_way(obj)
         self._start = dimensions.Start(obj, scene, asked)
-        self._before = AsItWas(obj, "scale it again")
+        self._before = AsItWas(obj, scene, "scale it again")
         self.state = self._before.state
         self._job = jobs.Job(self._start.find)
         conversions.watch(self)

@@ -220,7 +220,7 @@ class Fairing(jobs.JobTask):
     def __init__(self, obj, scene, asked):
         self._start = _Start(obj, scene, asked)
         self.state = self._start.state
-        self._before = AsItWas(obj, "fair it again")
+        self._before = AsItWas(obj, scene, "fair it again")
         conversions.clear_way(obj)
         self._job = jobs.Job(self._start.solve)
         conversions.watch(self)

@@ -64,7 +64,8 @@ class Fitting(jobs.JobTask):
     def __init__(self, obj, scene):
         self.state = hull_state.up_to_date(obj, scene)
         conversions.clear_way(obj)
-        self.scale, self._before = units.metres_per_unit(scene), AsItWas(obj, "fit it again")
+        self.scale = units.metres_per_unit(scene)
+        self._before = AsItWas(obj, scene, "fit it again")
         found = hull_mesh.read(obj)
         control = found.control(self.scale)
         self._ids = control.vertex_ids

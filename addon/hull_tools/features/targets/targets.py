@@ -30,7 +30,8 @@ class Solving(jobs.JobTask):
         self.state = hull_state.up_to_date(obj, scene)
         wanted = rows.in_use(obj)
         conversions.clear_way(obj)
-        self.scale, self._before = units.metres_per_unit(scene), AsItWas(obj, "solve it again")
+        self.scale = units.metres_per_unit(scene)
+        self._before = AsItWas(obj, scene, "solve it again")
         control = hull_mesh.read(obj).control(self.scale)
         self._ids, self._points = control.vertex_ids, control.points
         surface = self._surface = self.state.ship.source.new_surface()

@@ -20,7 +20,7 @@ class ParentTask(jobs.JobTask):
         conversions.clear_way(obj)
         self.parent = parents.of_hull(obj, scene)
         self.parent.position()  # refused here where there is a heel
-        self._before = AsItWas(obj, "transform it again")
+        self._before = AsItWas(obj, scene, "transform it again")
         self.state = self._before.state
 
     def begin(self, work):
