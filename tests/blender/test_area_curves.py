@@ -127,6 +127,16 @@ def test_tables_are_read_and_scaled(tmp_path):
     assert live(hull).curve is None
 
 
+def test_a_handle_stays_between_neighbours_that_leave_it_no_room():
+    hull = sample()
+    bpy.ops.hull.drag_area_curve(points="0 0; 40 70; 40.05 71; 40.1 70; 80 0")
+    drag = part("features.area_curves.handles").Drag(hull, bpy.context.scene)
+    for x in (0.0, 40.0, 80.0):
+        drag.move(2, (x, 60.0))
+        assert 40.0 < hull.hull.area_target.area_points[2].x < 40.1
+        assert live(hull).status == ""
+
+
 def test_the_volume_of_a_hull_that_heels_is_not_taken():
     hull = sample()
     bpy.ops.hull.take_area_curve()

@@ -114,6 +114,8 @@ class Drag:
         apart = _APART * np.ptp(points[:, 0])
         low = points[index - 1, 0] + apart if index > 0 else -np.inf
         high = points[index + 1, 0] - apart if index + 1 < len(points) else np.inf
+        if low > high:  # there is no room between them
+            low = high = 0.5 * (low + high)
         entry = self.obj.hull.area_target.area_points[index]
         entry.x = float(np.clip(point[0], low, high)) / self.scale
         entry.area = max(float(point[1]), 0.0)
