@@ -162,6 +162,13 @@ def test_nonsense_is_refused():
     assert np.array_equal(points_of(hull), before)
 
 
+def test_where_nothing_is_wanted_nothing_is_done():
+    hull = sample()
+    with pytest.raises(RuntimeError, match="Ask for a displacement"):
+        bpy.ops.hull.shift_sections(measure="NONE", lcb_as="NONE")
+    assert not part("features.hull.form_before").is_known(hull)
+
+
 def test_one_undo_step():
     hull = sample("coaster")
     bpy.ops.ed.undo_push(message="loaded")

@@ -24,6 +24,14 @@ class Wanted:
     parallel_length: float = 0.0
     prismatics: object = None
 
+    def check(self):
+        """ValueError where nothing is wanted."""
+        is_anything = self.prismatics is not None or self.volume or self.lcb is not None
+        if not (is_anything or self.parallel == "LENGTH"):
+            raise ValueError(
+                "Ask for a displacement, a centre of buoyancy, or a length of the parallel body"
+            )
+
     @property
     def shifted_part(self):
         is_both = self.prismatics is not None and self.part in ("whole", "fair")
@@ -57,6 +65,7 @@ def _length(parent):
 def shift(obj, scene, wanted):
     """Shifts the sections of a hull to what is Wanted; returns Shifted. ValueError where it is out
     of reach, with what can be reached: nothing moves then."""
+    wanted.check()
     parent = parents.of_hull(obj, scene)
     where, position = parent.where, parent.position()
     length, shift = _length(parent), new_shift(parent, wanted)
