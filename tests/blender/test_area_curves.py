@@ -4,7 +4,8 @@
 import bpy
 import numpy as np
 import pytest
-from addon_under_test import add_hull, part, sample, state_of
+from addon_under_test import add_hull, compute, make_active, part, sample, state_of
+from test_panels import texts, value_after
 
 # Points and handles are kept in single precision.
 SINGLE = 3e-6
@@ -125,6 +126,18 @@ def test_tables_are_read_and_scaled(tmp_path):
     assert live(hull).volume == pytest.approx(4000.0, rel=SINGLE)
     bpy.ops.hull.clear_area_curve()
     assert live(hull).curve is None
+
+
+def test_the_panel_measures_the_curve_by_the_hull_without_its_appendages():
+    hull = sample()
+    bpy.ops.hull.add_appendage(kind="TUNNEL", x=70.0, z=2.0, radius=1.0)
+    make_active(hull)
+    bpy.ops.hull.take_area_curve()
+    bpy.context.view_layer.update()
+    compute([(hull.name, "sectional_areas")])
+    noted = texts()["HULL_PT_area_curve"]
+    assert float(value_after(noted, "∇").split()[0]) == pytest.approx(0.0, abs=0.02)
+    assert float(value_after(noted, "LCB").split()[0]) == pytest.approx(0.0, abs=0.01)
 
 
 def test_a_handle_stays_between_neighbours_that_leave_it_no_room():

@@ -77,10 +77,9 @@ class HULL_PT_area_curve(HullPanel, bpy.types.Panel):
         found = live.difference(result.areas)
         label_value(column, "Area, most", reports.percent(found))
         label_value(column, "at x", format_value(scene, found.at, "m"))
-        present = result.hydrostatics
-        volume = 100.0 * (present.displaced_volume / live.volume - 1.0)
-        label_value(column, "∇", f"{volume:+.2f} %")
-        label_value(column, "LCB", format_value(scene, present.lcb - live.centre, "m"))
+        volume, centre = live_target.volume_of(hull_objects.hull_of(context.object), result)
+        label_value(column, "∇", f"{100.0 * (volume / live.volume - 1.0):+.2f} %")
+        label_value(column, "LCB", format_value(scene, centre - live.centre, "m"))
         label_value(column, "∇ of target", format_value(scene, live.volume, "m3"))
         label_value(column, "LCB of target", format_value(scene, live.centre, "m"))
 

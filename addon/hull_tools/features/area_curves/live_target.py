@@ -13,6 +13,7 @@ from . import stored, target_curve
 
 ANALYSIS, _WHOSE = "sectional_areas", "target"
 _NAME = "Target"
+_LEAST_VOLUME = 1e-9  # m³
 
 
 @dataclass
@@ -83,3 +84,14 @@ def present(obj, scene):
     """The sectional_areas.Result of a hull as it was last computed, or None."""
     outcome, _ = analyses.last_outcome(obj, scene, ANALYSIS)
     return None if outcome is None else outcome.result
+
+
+def volume_of(obj, result):
+    """(m³, x of its centre in m) of the hull whose areas a sectional_areas.Result has: they are
+    those of the hull alone, its hydrostatics those of its appendages, too."""
+    if not hull_state.state_of(obj).ship.source.is_joined:
+        return result.hydrostatics.displaced_volume, result.hydrostatics.lcb
+    x, areas = result.areas.positions, result.areas.areas
+    parts = 0.5 * np.diff(x) * (areas[1:] + areas[:-1])
+    volume = max(parts.sum(), _LEAST_VOLUME)
+    return float(volume), float(parts @ (0.5 * (x[1:] + x[:-1])) / volume)
