@@ -144,6 +144,20 @@ def test_plots_are_written_in_three_kinds(name, tmp_path):
         assert path.read_bytes().startswith(begin)
 
 
+def test_curves_of_a_trim_at_which_all_is_dry_are_refused(tmp_path):
+    hull = afloat_box()
+    hull.hull.length_pp = LENGTH
+    for vertex in hull.data.vertices:
+        vertex.co.z += 2.0
+    hull.data.update()
+    hull.hull.table.draft_to, hull.hull.table.trims = 1.9, "0 2"
+    path = str(tmp_path / "curves.svg")
+    with pytest.raises(RuntimeError, match="first trim, even keel.*put another one first"):
+        bpy.ops.hull.export_plot(filepath=path, analysis="hydrostatic_table")
+    hull.hull.table.trims = "2 0"
+    assert bpy.ops.hull.export_plot(filepath=path, analysis="hydrostatic_table") == {"FINISHED"}
+
+
 def test_hydrostatics_over_drafts_and_trims(tmp_path):
     hull = afloat_box()
     table = hull.hull.table

@@ -119,6 +119,11 @@ def _in_unit(value, unit):
 def plot(result, name, shown=METRIC):
     trim_m = result.inputs.trims[0]
     at = "even keel" if trim_m == 0.0 else f"trim {shown.text(trim_m, 'm')} by the stern"
+    if not result.curves:
+        raise ValueError(
+            f"Nothing is under water at the first trim, {at}, of which the curves are: put another "
+            "one first, or give greater drafts"
+        )
     density = f"water {shown.text(result.inputs.where.water_density, 't/m3')}"
     return native.require().hydrostatic_curves_plot(
         result.curves,
