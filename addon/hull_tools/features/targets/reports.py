@@ -31,18 +31,18 @@ class Reached:
 
 @dataclass(frozen=True, eq=False)
 class Report:
-    """What came of a solution. key: the geometry of the hull it gave; lies: how that lay in the
-    water, see as_it_lies; status: as hull_native's TargetsReached has it; rows: Reached; rms in m;
-    held: what else is at its limit, in words."""
+    """What came of a solution. key: the geometry of the hull it gave; status: as hull_native's
+    TargetsReached has it; rows: Reached; rms in m; held: what else is at its limit, in words; lies:
+    how the hull lay in the water, see as_it_lies."""
 
     key: object
-    lies: tuple
     status: str
     rows: tuple
     iterations: int
     rms: float
     scale: tuple
     held: tuple
+    lies: tuple = None
 
     @property
     def is_met(self):
@@ -86,13 +86,13 @@ def note(obj, state, reached, rows, held=()):
     limits = [f"the limit of {name}" for name, price in prices if abs(price) > _NO_PRICE]
     report = state.of(LastSolution).report = Report(
         state.ship.geometry_key,
-        as_it_lies(obj, rows),
         reached.status,
         rows,
         reached.iterations,
         reached.rms,
         tuple(reached.scale),
         (*limits, *held),
+        as_it_lies(obj, rows),
     )
     return report
 
