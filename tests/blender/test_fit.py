@@ -365,3 +365,32 @@ def test_a_target_all_of_which_counts_is_not_warned_of():
     report, _ = part("features.fitting.fitting").last_report(hull)
     assert not part("features.fitting.fitting").warning(report)
     assert report.target_largest == pytest.approx(report.largest, abs=1e-4)
+
+
+def test_borders_that_run_out_beyond_the_target_are_told_of():
+    """No line of the target says where the sheer is, and a side that goes on is as near to it."""
+    hull = add_hull()
+    target, settings = shape_of(wanted(hull), n=8, both=False), hull.hull.fit
+    points = points_of(hull)
+    is_on_centre = points[:, 1] == 0.0
+    points += np.random.default_rng(0).uniform(-0.05, 0.05, points.shape)
+    points[is_on_centre, 1] = 0.0
+    part("bridge.mesh.mesh_points").write(hull.data, np.arange(len(points)), points)
+    bpy.context.view_layer.update()
+    settings.target, settings.draw_border, settings.use_edges = target, True, False
+    before = points_of(hull)
+    fitting = part("features.fitting.fitting")
+    assert bpy.ops.hull.fit() == {"FINISHED"}
+    report, _ = fitting.last_report(hull)
+    assert report.run_out > 1.0 and report.run_out == pytest.approx(
+        hull.dimensions.z - 3.0, rel=0.1
+    )
+    assert "Creases to edges" in fitting.warning(report)
+    assert fitting.warning(report) in fitting.summary(report)
+    part("bridge.mesh.mesh_points").write(hull.data, np.arange(len(before)), before)
+    bpy.context.view_layer.update()
+    settings.use_edges = True
+    assert bpy.ops.hull.fit() == {"FINISHED"}
+    report, _ = fitting.last_report(hull)
+    assert report.run_out < 0.1 and fitting.warning(report) == ""
+    assert hull.dimensions.z == pytest.approx(3.0, abs=1e-3)

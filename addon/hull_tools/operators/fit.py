@@ -32,7 +32,7 @@ class HULL_OT_fit(bpy.types.Operator, TaskOperator):
 
     def outcome(self, fit, scene):
         report = self._task.write(scene)
-        return fitting.summary(report), report.is_mostly_beside or not report.settled
+        return fitting.summary(report), bool(fitting.warning(report)) or not report.settled
 
 
 class HULL_OT_show_fit_worst(bpy.types.Operator, HullReader):

@@ -105,13 +105,9 @@ class _Border:
         _, inverse, counts = np.unique(keys, return_inverse=True, return_counts=True)
         is_border = np.isin(keys, edge_keys(control.creases)) | (counts[inverse] == 1)
         corners = np.flatnonzero(is_border)
-        following = next_corners(control.face_sizes)[corners]
         fewest, most = _ON_HALF_EDGE
         count = int(np.clip(_MOST_BORDER_PLACES // max(2 * len(corners), 1), fewest, most))
-        t = np.linspace(0.0, 1.0, count + 1)
-        cells = np.repeat(np.concatenate([corners, following]), count + 1)
-        along = np.stack([np.tile(t, len(corners)), np.zeros(len(corners) * (count + 1))], axis=1)
-        places = surface.positions(cells.astype(np.int32), np.concatenate([along, along[:, ::-1]]))
+        places = surface.positions(*places_along(control, corners, count))
         halves = places.reshape(-1, count + 1, 3)
         lengths = np.linalg.norm(np.diff(halves, axis=1), axis=2).max(axis=1, initial=0.0)
         self._gaps = np.repeat(0.5 * lengths, count + 1)
@@ -127,6 +123,16 @@ class _Border:
         found = [self._tree.find(place) for place in places.tolist()]
         gaps = self._gaps[[index for _, index, _ in found]]
         return np.array([away for _, _, away in found]) > distances + gaps
+
+
+def places_along(control, corners, count):
+    """(cells, uv) of a surface along the edges that begin at corners (k,) of ControlArrays' faces,
+    each half of an edge divided into a count of parts."""
+    following = next_corners(control.face_sizes)[corners]
+    t = np.linspace(0.0, 1.0, count + 1)
+    cells = np.repeat(np.concatenate([corners, following]), count + 1)
+    along = np.stack([np.tile(t, len(corners)), np.zeros(len(corners) * (count + 1))], axis=1)
+    return cells.astype(np.int32), np.concatenate([along, along[:, ::-1]])
 
 
 def _parts_between_creases(control, owner, ends):

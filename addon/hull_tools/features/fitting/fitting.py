@@ -17,18 +17,20 @@ from ..conversion import conversions
 from ..hull import hull_state
 from ..hull.as_it_was import AsItWas
 from ..lines import lines
-from . import coverage, fit_targets
+from . import coverage, fit_targets, run_out
 
 _USUAL_REACH = 0.05  # of the length
 _VIEW_DISTANCE = 0.3  # of the length
 _MOST_LEFT_OUT = 1.0 / 3.0
+_MOST_RUN_OUT = 0.01  # of the length
 
 
 @dataclass(frozen=True, eq=False)
 class Report:
     """What came of a fit, in m. key: the geometry of the hull it gave; place (3,): where it is
     farthest from the target; target_rms, target_largest: of all of the target from the hull, that
-    which was left out too; faces_alone: how many faces have no target, and were left alone."""
+    which was left out too; faces_alone: how many faces have no target, and were left alone.
+    run_out: how much farther from the target borders came to lie; length: of the hull before."""
 
     key: object
     counted: int
@@ -41,6 +43,13 @@ class Report:
     target_rms: float
     target_largest: float
     faces_alone: int
+    run_out: float
+    length: float
+
+    @property
+    def has_run_out(self):
+        """Whether borders came to lie so far beyond the target that the hull is no use."""
+        return self.run_out > _MOST_RUN_OUT * self.length
 
     @property
     def is_mostly_beside(self):
@@ -75,6 +84,8 @@ class Fitting(jobs.JobTask):
         )
         self._targets, options, self._alone = _arguments(obj, surface, control, self.scale)
         targets = self._targets[~self._alone.is_beside]
+        self._run_out = run_out.RunOut(surface, control, self._targets)
+        self._length = lines.size_of(surface)
         self._job = jobs.Job(
             lambda progress: hull_native.fit_surface(surface, targets, progress=progress, **options)
         )
@@ -100,6 +111,8 @@ class Fitting(jobs.JobTask):
             float(np.sqrt((apart**2).mean())),
             float(apart.max()),
             self._alone.face_count,
+            self._run_out.by(state.ship.surface),
+            self._length,
         )
         return report
 
@@ -162,6 +175,8 @@ def rows(report):
         ("All of target, RMS", units.format_mm(report.target_rms)),
         ("All of target, largest", units.format_mm(report.target_largest)),
     ]
+    if report.has_run_out:
+        found.append(("Borders beyond", units.format_mm(report.run_out)))
     if report.faces_alone:
         found.append(("Faces without target", str(report.faces_alone)))
     if report.line_rms:
@@ -175,13 +190,18 @@ def summary(report):
         f"{report.counted} points, {report.left_out} left out: RMS {units.format_mm(report.rms)}, "
         f"largest {units.format_mm(report.largest)}"
     )
-    if report.is_mostly_beside:
+    if warning(report):
         text = f"{warning(report)}. {text}"
     return text if report.settled else f"{text}. It may come nearer still: fit again"
 
 
 def warning(report):
     """What is to be said of a Report first, a sentence, or ""."""
+    if report.has_run_out:
+        return (
+            f"Borders ran out beyond the target, by {report.run_out:.3g} m: undo, and switch "
+            "Creases to edges on, or Draw borders off"
+        )
     if not report.is_mostly_beside:
         return ""
     share = 100.0 * report.left_out / (report.counted + report.left_out)

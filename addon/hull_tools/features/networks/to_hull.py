@@ -24,10 +24,11 @@ _CORNER = 3  # of hull_native.ControlMesh.vertex_kinds
 @dataclass(frozen=True, eq=False)
 class Report:
     """How far the curves of a network are from the hull laid over it, m. key: the geometry of that
-    hull; curves: hull_native.CurveDistances, the farthest first; in_rows: the share of its control
-    points in rows of one x; tolerance: what was asked for."""
+    hull; laid: _laid_of the network; curves: hull_native.CurveDistances, the farthest first;
+    in_rows: the share of its control points in rows of one x; tolerance: what was asked for."""
 
     key: object
+    laid: tuple
     points: int
     rms: float
     largest: float
@@ -60,6 +61,7 @@ class Laying(jobs.JobTask):
         limits.within(settings.hull_tolerance, "Hull Tolerance", 0.0, limits.LONGEST)
         self._network = network.name
         state = network_state.up_to_date(network, scene)
+        self._laid = _laid_of(state)
         asked = units.as_typed(settings.hull_tolerance) * self._scale
         self._tolerance = asked or _TOLERANCE * _length_of(state.network)
         layout = _layout(settings.layout_hull, scene)
@@ -82,10 +84,15 @@ class Laying(jobs.JobTask):
         state = hull_state.up_to_date(obj, scene)
         curves = tuple(sorted(laid.curves, key=lambda curve: -curve.largest))
         report = state.of(LaidOver).report = Report(
-            state.ship.geometry_key, len(data.points), laid.rms, laid.largest, laid.place, curves,
-            laid.in_rows, self._tolerance,
+            state.ship.geometry_key, self._laid, len(data.points), laid.rms, laid.largest,
+            laid.place, curves, laid.in_rows, self._tolerance,
         )  # fmt: skip
         return obj, report
+
+
+def _laid_of(state):
+    """What a hull is laid over, of a NetworkState, to be compared: its curves in m."""
+    return tuple(state.curves[name].key for name in state.joined if name in state.curves)
 
 
 def _length_of(native_network):
@@ -150,11 +157,13 @@ def _flats(found, faces):
 
 def last_report(network):
     """(the Report of the hull that was laid over a network last or None, as for one that was
-    deleted, whether the hull is still as it was then)."""
+    deleted, whether hull and network are still as they were then)."""
     hull = None if network is None else network.hull_network.hull
     if hull is None or not hull.users_scene:  # the network keeps what was deleted
         return None, False
-    return hull_state.last_report(hull, LaidOver)
+    report, is_current = hull_state.last_report(hull, LaidOver)
+    state = network_state.state_of(network)
+    return report, is_current and state is not None and report.laid == _laid_of(state)
 
 
 def summary(report):
