@@ -247,3 +247,31 @@ def test_an_animated_base_curve_is_followed():
             found[frame] = seen.chosen.anchor[2], part("bridge.mesh.mesh_points").read(hull.data)
         assert found[11][0] - found[1][0] == pytest.approx(0.5, abs=1e-5)
         assert np.array_equal(found[1][1], found[11][1]) != is_previewed
+
+
+def test_curves_are_read_once_within_one_another():
+    """Reading a curve has Blender evaluate it, and tell of what has changed meanwhile."""
+    module = part("bridge.objects.curve_lines")
+    data = bpy.data.curves.new("line", "CURVE")
+    data.dimensions = "3D"
+    data.splines.new("POLY").points.add(1)
+    data.splines[0].points[1].co = (1.0, 2.0, 3.0, 1.0)
+    curve, hull = bpy.data.objects.new("line", data), sample()
+    bpy.context.collection.objects.link(curve)
+    bpy.context.view_layer.update()
+    with module.read_once():
+        with module.read_once():
+            first = module.points_of(curve, hull)
+        assert module.points_of(curve, hull) is first
+    assert module.points_of(curve, hull) is not first
+
+
+def test_all_that_is_shown_goes_by_another_unit_of_the_scene():
+    hull = sample()
+    row = add(hull, side_point(hull), base="POINT", extent=6.0)
+    before = np.concatenate([lines.reshape(-1, 3) for lines in seen_of(hull).lines.levels])
+    bpy.context.scene.unit_settings.scale_length = 0.5
+    found = seen_of(hull)
+    after = np.concatenate([lines.reshape(-1, 3) for lines in found.lines.levels])
+    assert row.extent == 6.0
+    assert np.ptp(after, axis=0) == pytest.approx(0.5 * np.ptp(before, axis=0), rel=0.02)

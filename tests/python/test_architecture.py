@@ -134,6 +134,7 @@ def flow():
     parts = {
         "_follow": ("handlers/follow.py", "_follow"),
         "_follow_one": ("handlers/follow.py", "_follow_one"),
+        "later_subjects": ("handlers/follow.py", "later_subjects"),
         "_brought_up_to_date": (state, "_follow"),
     }
     handed_over = {"placed": "preview.placed"}  # as the handler does, see the test

@@ -58,15 +58,20 @@ def _follow_one(hull, scene, is_by_hand):
         state = hull_state.follow_edit(
             hull, scene, is_by_hand, late_joining.can_wait(hull), preview.placed
         )
-        before.follow(hull, scene)
-        seen.follow(hull, scene)
-    pair_lines.follow(hull, scene)
-    live_target.follow(hull, scene)
-    targets.follow(hull, scene)
+        later_subjects(hull, scene)
     if state.ship.waits:
         late_joining.ask()
     if state.shown.may_move(hull):
         live_normals.ask()
+
+
+def later_subjects(hull, scene):
+    """What these show of a hull whose state is up to date."""
+    before.follow(hull, scene)
+    seen.follow(hull, scene)
+    pair_lines.follow(hull, scene)
+    live_target.follow(hull, scene)
+    targets.follow(hull, scene)
 
 
 def _follow_all(is_by_hand=True):

@@ -8,8 +8,8 @@ import bpy
 from bpy.app.handlers import persistent
 
 from ..bridge.objects import hull_objects, shown_objects, surface_upkeep, unrecorded
-from ..features.area_curves import live_target
 from ..features.hull import hull_state
+from . import follow
 
 # What a handler moves is told in turn while it is at work.
 _is_following = False
@@ -20,7 +20,7 @@ def _refresh(hulls):
         for hull in hulls:
             if hull.name in scene.objects:
                 hull_state.refresh(hull, scene)
-                live_target.follow(hull, scene)
+                follow.later_subjects(hull, scene)
 
 
 def _follow(changed, view_layer):

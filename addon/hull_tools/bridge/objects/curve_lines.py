@@ -14,13 +14,15 @@ _read = None  # by curve and object, while curves are read once
 @contextmanager
 def read_once():
     """Within it each curve is read when it is first asked for, and not again: what is asked for
-    after a mesh was written would have Blender evaluate that mesh first."""
+    after a mesh was written would have Blender evaluate that mesh first. Reading may have Blender
+    evaluate something and tell handlers of it, which then are within it, too."""
     global _read
-    _read = {}
+    outer = _read
+    _read = {} if outer is None else outer
     try:
         yield
     finally:
-        _read = None
+        _read = outer
 
 
 def points_of(curve, obj):
