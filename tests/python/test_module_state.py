@@ -22,6 +22,7 @@ KEPT = {
     "features/analyses/live_analyses.py: _plots": "what all 3D views show now",
     "features/conversion/conversions.py: _recent": "for undo: of any hull with this surface",
     "features/conversion/conversions.py: _tasks": "work that goes on when its hull is deleted",
+    "features/hull/curve_entries.py: _known": "of hulls that are gone, joined to others",
     "features/hull/hull_state.py: _states": "the states themselves",
     "features/hull/tags.py: _known": "made of a surface, and gone with it",
     "features/modelling/developable_making.py: _known": "made of a surface, and gone with it",
