@@ -188,12 +188,18 @@ def test_a_script_gives_the_operator_what_is_dragged():
     assert row.extent == 3.0 and tuple(row.shift) == (0.0, 0.0, 0.0)
 
 
+def line_of(hull, place, **settings):
+    """A curve along the ship from a place, on which a new field of the hull is based."""
+    points = [place, place + (8.0, 0.0, 0.0)]
+    line = part("bridge.objects.curve_lines").made("Line", points, False, hull)
+    add(hull, place, base="CURVE", extent=6.0, **settings).curve = line
+    return line
+
+
 def test_what_is_seen_follows_a_base_curve_and_other_faces():
     hull = sample()
     place = side_point(hull)
-    points = [place, place + (8.0, 0.0, 0.0)]
-    line = part("bridge.objects.curve_lines").made("Line", points, False, hull)
-    add(hull, place, base="CURVE", extent=6.0).curve = line
+    line = line_of(hull, place)
     before = seen_of(hull).lines
     for point in line.data.splines[0].points:
         point.co.z += 0.5
@@ -215,10 +221,7 @@ def test_what_is_seen_follows_a_base_curve_and_other_faces():
 
 def test_a_base_curve_that_is_taken_out_of_the_scene_is_seen_no_longer():
     hull = sample()
-    place = side_point(hull)
-    points = [place, place + (8.0, 0.0, 0.0)]
-    line = part("bridge.objects.curve_lines").made("Line", points, False, hull)
-    add(hull, place, base="CURVE", extent=6.0).curve = line
+    line = line_of(hull, side_point(hull))
     assert seen_of(hull).chosen is not None
     for collection in line.users_collection:
         collection.objects.unlink(line)
@@ -227,12 +230,7 @@ def test_a_base_curve_that_is_taken_out_of_the_scene_is_seen_no_longer():
 
 def test_an_animated_base_curve_is_followed():
     hull = sample()
-    place = side_point(hull)
-    line = part("bridge.objects.curve_lines").made(
-        "Line", [place, place + (8.0, 0.0, 0.0)], False, hull
-    )
-    row = add(hull, place, base="CURVE", extent=6.0, shift=(0.0, 0.2, 0.0))
-    row.curve = line
+    line = line_of(hull, side_point(hull), shift=(0.0, 0.2, 0.0))
     for frame, z in ((1, 0.0), (11, 0.5)):
         line.location.z = z
         line.keyframe_insert("location", frame=frame)
