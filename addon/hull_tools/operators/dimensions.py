@@ -143,11 +143,11 @@ def _kept_report(brought):
     kept = brought.kept
     x, y, z = kept.surface.largest_place
     text = _report(brought.factors, "Stretched by") + (
-        f"; RMS off what was asked for {1e3 * kept.surface.rms:.3g} mm, largest "
-        f"{1e3 * kept.surface.largest:.3g} mm at x {x:.2f}, y {y:.2f}, z {z:.2f} m"
+        f"; RMS off what was asked for {units.format_mm(kept.surface.rms)}, largest "
+        f"{units.format_mm(kept.surface.largest)} at x {x:.2f}, y {y:.2f}, z {z:.2f} m"
     )
     if kept.surface.ends_missed > _ENDS_TOLD:
-        text += f"; its ends are up to {1e3 * kept.surface.ends_missed:.3g} mm off"
+        text += f"; its ends are up to {units.format_mm(kept.surface.ends_missed)} off"
     if kept.radii is not None:
         before, after = kept.radii
         now = "none" if after is None else f"{after:.4g} m"

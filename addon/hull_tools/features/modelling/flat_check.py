@@ -50,8 +50,8 @@ def check_selected(obj, scene, tolerance):
             f"though its control points are in it: {len(around)} around, which bend it, selected"
         )
     else:
-        furthest_mm = 1e3 * found.surface_distance
-        message = f"Flat: the surface is at most {furthest_mm:.3g} mm from its plane"
+        most = units.format_mm(found.surface_distance)
+        message = f"Flat: the surface is at most {most} from its plane"
         return FlatCheck(found.surface_distance, (), message)
     message = f"The surface is up to {furthest} from its plane, {reason}"
     return FlatCheck(
