@@ -9,7 +9,7 @@ from bpy_extras.io_utils import ExportHelper
 
 from ..bridge.objects import hull_objects
 from ..features import analyses
-from ..features.exchange import file_tasks, hull_files, program_files
+from ..features.exchange import endings, file_tasks, hull_files, program_files
 from .shared import HullReader
 from .tasks import TaskOperator
 
@@ -28,8 +28,7 @@ class ExportHull(HullReader, ExportHelper):
         return super().invoke(context, event)
 
     def run(self, context):
-        if not os.path.basename(self.filepath):
-            raise ValueError("The file has no name: give one")
+        endings.check_named(self.filepath)
         return super().run(context)
 
     def name_part(self):
@@ -102,9 +101,9 @@ def formats(*items):
     )
 
 
-def _format(*endings):
+def _format(*kinds):
     """The choice of a file's form in its dialog; what the name ends in counts."""
-    return formats(*((f".{ending}", ending.upper(), _FORMATS[ending]) for ending in endings))
+    return formats(*((f".{kind}", kind.upper(), _FORMATS[kind]) for kind in kinds))
 
 
 _FORMATS = {

@@ -9,6 +9,7 @@ from bpy_extras.io_utils import ExportHelper
 
 from ..bridge.counts import counted
 from ..bridge.objects import networks
+from ..features.exchange import endings
 from ..features.networks import surface_tasks
 from .networks import NetworkTask
 
@@ -69,8 +70,7 @@ class HULL_OT_export_network(bpy.types.Operator, NetworkTask, ExportHelper):
 
     def begin(self, network, scene):
         path = self.filepath
-        if not os.path.basename(path):
-            raise ValueError("The file has no name: give one")
+        endings.check_named(path)
         if not path.lower().endswith((".step", ".stp", ".igs", ".iges")):
             path += self.format
         return surface_tasks.Writing(network, scene, path, self.is_whole)

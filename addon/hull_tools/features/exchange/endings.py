@@ -1,7 +1,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What files' names end in."""
+"""Names of files that are written, and what they end in."""
 
+import os
 from pathlib import Path
+
+
+def check_named(path):
+    """ValueError for a path of a file, a text, that ends in no name."""
+    if not os.path.basename(path):
+        raise ValueError("The file has no name: give one")
 
 
 def checked_ending(path, endings, what):
