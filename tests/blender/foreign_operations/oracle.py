@@ -164,6 +164,8 @@ def _of_shown(hull, fresh):
         return ["it has no surface object of its own"] if hull.hull.surface_object else []
     if shown.data.is_editmode or shown.mode != "OBJECT":
         return []
+    if hull.mode == "EDIT" and shown.hide_render and not shown.visible_get():
+        return []  # it comes when it is seen, or when the edit ends
     mesh, wanted = shown.data, fresh.shown.coordinates
     points = mesh_points(shown)
     if points.shape != wanted.shape:
