@@ -112,6 +112,8 @@ def torn(data):
         {tuple(sorted(p)) for p in (*data.creases, *both) if frozenset(p) in edges}
     )
     data.corners = sorted({*data.corners, *(image[p] for p in data.corners if p in image)})
+    for name in ("deck_edge", "shown_rows"):
+        setattr(data, name, [pair for pair in getattr(data, name) if frozenset(pair) in edges])
     return data
 
 
