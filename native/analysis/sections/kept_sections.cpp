@@ -35,11 +35,7 @@ std::vector<std::vector<SectionCurve>> KeptSections::sections(const std::vector<
   if (rules_ != rules) kept_.clear();
   rules_ = rules;
   boxes_.update(*surface_);
-  std::vector<PlaneKey> keys;
-  for (const Plane& plane : planes) {
-    keys.push_back({plane.normal.x(), plane.normal.y(), plane.normal.z(), plane.offset});
-  }
-  const std::vector<KeptParts*> kept = kept_.of(keys);
+  const std::vector<KeptParts*> kept = kept_.of(keys_of(planes));
   std::vector<std::vector<SectionCurve>> result(planes.size());
   surface::parallel_for(
       planes.size(), surface::kAllProcessors,
