@@ -31,9 +31,10 @@ class KeptStations {
   std::size_t station_count() const { return kept_.size(); }
 
  private:
+  using OfCell = std::pair<int, SectionIntegrals>;
   struct KeptCells {
-    int revision = -1;  // of the surface that they are of: cells that moved later are not
-    std::vector<std::pair<int, SectionIntegrals>> cells;  // in order
+    int revision = -1;          // of the surface that they are of: cells that moved later are not
+    std::vector<OfCell> cells;  // in order
   };
   // What all that is kept depends on but the surface's cells.
   struct Conditions {
