@@ -88,7 +88,9 @@ def test_the_mesh_comes_back_with_its_tags():
     for name in ("points", "face_sizes", "face_vertices", "face_slots", "vertex_creases"):
         assert np.array_equal(getattr(after, name), getattr(before, name)), name
     inner = ~(before.points[before.tagged_edges][:, :, 1] == 0.0).all(axis=1)
-    pairs = {tuple(sorted(e)) for e in before.tagged_edges[inner & (before.edge_creases > 0)].tolist()}
+    pairs = {
+        tuple(sorted(e)) for e in before.tagged_edges[inner & (before.edge_creases > 0)].tolist()
+    }
     again = ~(after.points[after.tagged_edges][:, :, 1] == 0.0).all(axis=1)
     assert pairs == {
         tuple(sorted(e)) for e in after.tagged_edges[again & (after.edge_creases > 0)].tolist()

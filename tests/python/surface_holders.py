@@ -186,6 +186,7 @@ KEEP = {
     ),
 }
 
+
 def judged(surface, kept):
     planes = [(1.0, 0.0, 0.0, 3.0)]
     return kept.section_fairness(planes, hn.sections(surface, planes))

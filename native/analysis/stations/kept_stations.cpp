@@ -37,10 +37,11 @@ std::vector<SectionArea> KeptStations::section_areas(const std::vector<double>& 
   return areas;
 }
 
-SectionArea KeptStations::station(double position, const Plane& water, const ArcRule& rule) {
+SectionArea KeptStations::station(const StationCutter& cutter, double position, const Plane& water,
+                                  const ArcRule& rule) {
   require(water);
   const Station asked{position, rule};
-  return station(StationCutter(*body_), asked, *kept_.of({asked}).front());
+  return station(cutter, asked, *kept_.of({asked}).front());
 }
 
 SectionArea KeptStations::station(const StationCutter& cutter, const Station& asked,

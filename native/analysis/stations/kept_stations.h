@@ -23,8 +23,9 @@ class KeptStations {
   // The same as analysis::section_areas() of the body as it is, to the last bit.
   std::vector<SectionArea> section_areas(const std::vector<double>& positions, const Plane& water);
 
-  // The same as analysis::immersed_station().
-  SectionArea station(double position, const Plane& water, const ArcRule& rule);
+  // The same as analysis::immersed_station() by a cutter of the body as it is.
+  SectionArea station(const StationCutter& cutter, double position, const Plane& water,
+                      const ArcRule& rule);
 
   const HullBody& body() const { return *body_; }
   // Of how many stations integrals are kept.
