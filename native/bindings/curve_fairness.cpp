@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "analysis/fairness/kept_fairness.h"
 #include "bindings/arrays.h"
 #include "bindings/casts.h"
 #include "bindings/planes.h"
@@ -174,11 +175,35 @@ void bind_comb_curve(py::module_& module) {
            "for a curvature of 1/m; ValueError unless it is finite.");
 }
 
+void bind_kept_fairness(py::module_& module) {
+  py::class_<analysis::KeptFairness>(
+      module, "KeptFairness",
+      "The fairness of sections of a surface whose points are moved: of each plane that was asked "
+      "for is kept what was found between the points of its sections, and only in cells that have "
+      "moved since it is found anew.")
+      .def(py::init<const surface::LimitSurface&>(), py::arg("surface"), py::keep_alive<1, 2>())
+      .def(
+          "section_fairness",
+          [](analysis::KeptFairness& kept, const DoubleArray& planes, const py::list& sections,
+             std::optional<double> step, std::optional<double> noise, double relative_noise) {
+            const std::vector<analysis::Plane> wanted = planes_from(planes);
+            const GivenSections given = curves_from(sections, wanted.size());
+            // The lock is kept: what is kept is changed.
+            return kept.section_fairness(wanted, given.curves,
+                                         {step, std::nullopt, noise, relative_noise, true});
+          },
+          py::arg("planes"), py::arg("sections"), py::kw_only(), py::arg("step") = py::none(),
+          py::arg("noise") = py::none(), py::arg("relative_noise") = 1e-3,
+          "What the function section_fairness() gives of sections that are there, of the surface "
+          "as it is, to the last bit. ValueError as for that function.");
+}
+
 }  // namespace
 
 void bind_curve_fairness(py::module_& module) {
   bind_marks(module);
   bind_comb_curve(module);
+  bind_kept_fairness(module);
   module.def(
       "section_fairness",
       [](const surface::LimitSurface& surface, const DoubleArray& planes,

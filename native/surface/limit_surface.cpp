@@ -49,6 +49,14 @@ void LimitSurface::take_points() {
   refined_ = std::move(refined);
 }
 
+std::vector<int> LimitSurface::cells_moved_since(int revision) const {
+  std::vector<int> cells;
+  for (int cell = 0; cell < cell_count(); ++cell) {
+    if (moved_at_[cell] > revision) cells.push_back(cell);
+  }
+  return cells;
+}
+
 // Takes the points of a node that has moved ones; whether it has.
 bool LimitSurface::take_node(const SurfaceNode& node, const std::vector<Vector3d>& refined,
                              const std::vector<char>& moved) {

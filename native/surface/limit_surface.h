@@ -36,6 +36,8 @@ class LimitSurface {
   // never): by these, what is computed of cells can be kept as long as they stay.
   int revision() const { return revision_; }
   int moved_at(int cell) const { return moved_at_[cell]; }
+  // In order; all cells since -1.
+  std::vector<int> cells_moved_since(int revision) const;
 
   const mesh::ControlMesh& mesh() const { return mesh_; }
   Scheme scheme() const { return layout_->scheme(); }

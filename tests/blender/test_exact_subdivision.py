@@ -119,8 +119,8 @@ def all_of(hull):
     data = part("bridge.mesh.mesh_arrays").read_mesh(hull.data)
     bm = bmesh.from_edit_mesh(hull.data)
     edges = {
-        "creases": data.edges[data.edge_creases == 1.0].tolist(),
-        "deck edge": data.edges[data.deck_edges].tolist(),
+        "creases": data.tagged_edges[data.edge_creases == 1.0].tolist(),
+        "deck edge": data.deck_edge().tolist(),
         "seams": [[v.index for v in edge.verts] for edge in bm.edges if edge.seam],
         "sharp": [[v.index for v in edge.verts] for edge in bm.edges if not edge.smooth],
     }

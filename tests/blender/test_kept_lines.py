@@ -76,16 +76,35 @@ def test_only_areas_near_the_point_are_integrated_again(hull, monkeypatch):
 
 
 def test_lines_cut_for_the_view_are_not_cut_again_for_combs(hull, monkeypatch):
-    native, cut = part("bridge.native").require(), []
-    judge = native.section_fairness
+    moves, cut = part("bridge.mesh.moves").Moves, []
+    sections = moves.sections
 
-    def counted(surface, planes, sections=None, **rules):
-        cut.append(sections is None)
-        return judge(surface, planes, sections=sections, **rules)
+    def counted(own, surface, planes, *tolerances):
+        cut.append(set(map(tuple, planes.tolist())))
+        return sections(own, surface, planes, *tolerances)
 
-    monkeypatch.setattr(native, "section_fairness", counted)
+    monkeypatch.setattr(moves, "sections", counted)
     pull_forward_end(hull)
-    assert cut and not any(cut)
+    assert len(cut) == 1  # for the view
     hull.hull.lines.show_stations = False
+    cut.clear()
     pull_forward_end(hull)
-    assert any(cut)
+    of_view, of_combs = cut
+    assert of_view and of_combs and not of_view & of_combs
+
+
+def test_combs_are_judged_again_only_where_points_have_moved(hull):
+    """To the last bit as of a fresh surface."""
+    native = part("bridge.native").require()
+    for _ in range(3):
+        pull_forward_end(hull)
+        state = state_of(hull)
+        for group in state.fairness.combs.values():
+            planes = np.array([one.cut.plane for one in group.sections])
+            fresh = native.LimitSurface(state.ship.surface.mesh, state.ship.source.scheme)
+            wanted = native.section_fairness(fresh, planes, **group.rules)
+            for one, curves in zip(group.sections, wanted):
+                for own, other in zip(one.curves, curves, strict=True):
+                    assert np.array_equal(own.points, other.points)
+                    assert np.array_equal(own.curvatures, other.curvatures)
+                    assert np.array_equal(own.marks.points, other.marks.points)

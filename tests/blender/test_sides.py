@@ -87,11 +87,13 @@ def test_the_mesh_comes_back_with_its_tags():
     after = arrays.read_mesh(hull.data)
     for name in ("points", "face_sizes", "face_vertices", "face_slots", "vertex_creases"):
         assert np.array_equal(getattr(after, name), getattr(before, name)), name
-    inner = ~(before.points[before.edges][:, :, 1] == 0.0).all(axis=1)
-    pairs = {tuple(sorted(e)) for e in before.edges[inner & (before.edge_creases > 0)].tolist()}
-    again = ~(after.points[after.edges][:, :, 1] == 0.0).all(axis=1)
+    inner = ~(before.points[before.tagged_edges][:, :, 1] == 0.0).all(axis=1)
+    pairs = {
+        tuple(sorted(e)) for e in before.tagged_edges[inner & (before.edge_creases > 0)].tolist()
+    }
+    again = ~(after.points[after.tagged_edges][:, :, 1] == 0.0).all(axis=1)
     assert pairs == {
-        tuple(sorted(e)) for e in after.edges[again & (after.edge_creases > 0)].tolist()
+        tuple(sorted(e)) for e in after.tagged_edges[again & (after.edge_creases > 0)].tolist()
     }
 
 

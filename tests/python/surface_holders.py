@@ -186,11 +186,21 @@ KEEP = {
     ),
 }
 
+
+def judged(surface, kept):
+    planes = [(1.0, 0.0, 0.0, 3.0)]
+    return kept.section_fairness(planes, hn.sections(surface, planes))
+
+
 # What depends on topology alone: the same of the surface as it is.
 FOLLOW = {
     "KeptSections": Holder(
         lambda surface, body: hn.KeptSections(surface),
         {"sections": lambda own: own.sections([(1.0, 0.0, 0.0, 3.0)], 1e-3)},
+    ),
+    "KeptFairness": Holder(
+        lambda surface, body: (surface, hn.KeptFairness(surface)),
+        {"section_fairness": lambda own: judged(*own)},
     ),
     "BodyDerivatives": Holder(
         lambda surface, body: hn.BodyDerivatives(body),

@@ -96,19 +96,20 @@ def test_the_deck_edge_from_the_search(window):
     hull = editing_a_hull(window, "EDGE")
     points = edited_points(hull)
     edges = bmesh.from_edit_mesh(hull.data).edges
-    rail = max((e for e in edges if e.is_boundary), key=lambda e: e.verts[0].co.y).index
-    select(hull, rail, kind="edges")
+    rail = max((e for e in edges if e.is_boundary), key=lambda e: e.verts[0].co.y)
+    ends = [vertex.index for vertex in rail.verts]
+    select(hull, rail.index, kind="edges")
     before = snapshot(hull)
     yield
     window.search("mark as deck edge")
     yield
-    data = part("bridge.mesh.mesh_arrays").read_mesh(hull.data)
-    assert data.deck_edges[rail] and np.ptp(points[data.edges[data.deck_edges], 0]) > 50.0
+    deck = part("bridge.mesh.mesh_arrays").read_mesh(hull.data).deck_edge()
+    assert ends in deck.tolist() and np.ptp(points[deck, 0]) > 50.0
     assert are_equal(snapshot(hull), before)
     assert_follows(hull)
     window.undo()
     yield
-    assert not part("bridge.mesh.mesh_arrays").read_mesh(hull_at_hand().data).deck_edges.any()
+    assert not len(part("bridge.mesh.mesh_arrays").read_mesh(hull_at_hand().data).deck_edge())
 
 
 def test_faces_are_made_flat_from_the_context_menu(window):

@@ -56,7 +56,7 @@ Rules rules_from(const surface::LimitSurface& surface, const FairnessOptions& op
   return rules;
 }
 
-void add_stretch(const MeasuredCurve& curve, const Rules& rules, CurveFairness& result) {
+void add_stretch(MeasuredCurve& curve, const Rules& rules, CurveFairness& result) {
   const double before = result.length, length = curve.length();
   int count = rules.count;
   if (count == 0) {
@@ -79,10 +79,12 @@ void add_stretch(const MeasuredCurve& curve, const Rules& rules, CurveFairness& 
 }
 
 CurveFairness judged(const surface::LimitSurface& surface, const Plane& plane,
-                     const SectionCurve& curve, const Rules& rules) {
+                     const SectionCurve& curve, const Rules& rules, CourseMemory* memory) {
   CurveFairness result{CurveFairness::Kind::kSection, {}, curve.closed, 0.0, {}, {}, {0}, {}};
   for (const SmoothStretch& stretch : smooth_stretches(curve)) {
-    add_stretch(SectionCourse(surface, plane, curve, stretch), rules, result);
+    SectionCourse course(surface, plane, curve, stretch, memory);
+    add_stretch(course, rules, result);
+    if (memory) course.keep_in(*memory);
   }
   return result;
 }
@@ -132,8 +134,10 @@ std::vector<std::vector<CurveFairness>> section_fairness(const surface::LimitSur
 
 std::vector<std::vector<CurveFairness>> section_fairness(
     const surface::LimitSurface& surface, const std::vector<Plane>& planes,
-    const std::vector<std::vector<const SectionCurve*>>& curves, const FairnessOptions& options) {
+    const std::vector<std::vector<const SectionCurve*>>& curves, const FairnessOptions& options,
+    const std::vector<CourseMemory*>& memories) {
   assert(curves.size() == planes.size());
+  assert(memories.empty() || memories.size() == planes.size());
   const Rules rules = rules_from(surface, options);
   const double size = surface.mesh().size();
   std::vector<std::vector<CurveFairness>> result(planes.size());
@@ -142,9 +146,11 @@ std::vector<std::vector<CurveFairness>> section_fairness(
       planes.size(), surface::kAllProcessors,
       [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
+          CourseMemory* memory = memories.empty() ? nullptr : memories[i];
+          for (const SectionCurve* curve : curves[i]) require_cut_of(surface, *curve, size);
+          if (memory) memory->begin(surface);
           for (const SectionCurve* curve : curves[i]) {
-            require_cut_of(surface, *curve, size);
-            result[i].push_back(judged(surface, planes[i], *curve, rules));
+            result[i].push_back(judged(surface, planes[i], *curve, rules, memory));
           }
         }
       },
@@ -171,7 +177,8 @@ std::vector<CurveFairness> feature_fairness(const surface::LimitSurface& surface
     result.push_back({kind, curve.vertices(), curve.closed(), 0.0, {}, {}, {0}, {}});
     const auto seen_along =
         view ? view : normal_of_plane_curve(curve, kPlaneCurve * surface.mesh().size());
-    add_stretch(FeatureCourse(curve, seen_along), rules, result.back());
+    FeatureCourse course(curve, seen_along);
+    add_stretch(course, rules, result.back());
   }
   return result;
 }

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "analysis/fairness/course_memory.h"
 #include "analysis/fairness/curve_marks.h"
 #include "analysis/sections/sections.h"
 #include "surface/creases/crease_curves.h"
@@ -48,10 +49,13 @@ std::vector<std::vector<CurveFairness>> section_fairness(const surface::LimitSur
 
 // The same of sections that are there: curves[i] are those by planes[i], as sections() gives them
 // to a chord tolerance no coarser than 1e-5 of the mesh's size. Throws std::invalid_argument for
-// those of another surface, or of this one before its points were set. REQUIRES: as many as planes.
+// those of another surface, or of this one before its points were set. `memories`, where given,
+// know the sections by each plane of before, and take what is known now. REQUIRES: as many of both
+// as planes; no memory twice.
 std::vector<std::vector<CurveFairness>> section_fairness(
     const surface::LimitSurface& surface, const std::vector<Plane>& planes,
-    const std::vector<std::vector<const SectionCurve*>>& curves, const FairnessOptions& options);
+    const std::vector<std::vector<const SectionCurve*>>& curves, const FairnessOptions& options,
+    const std::vector<CourseMemory*>& memories = {});
 
 // Creases and borders, as crease_curves() gives them. With a direction of view (of any length) they
 // are judged as seen along it. Else plane curves are judged in their plane, seen against that

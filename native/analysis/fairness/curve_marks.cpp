@@ -13,7 +13,7 @@ namespace {
 
 // Between two breaks probes are no further apart than a part of the curve's length, as far as the
 // number of them allows.
-constexpr double kFewestParts = 2.0, kMostParts = 4.0;
+constexpr int kFewestParts = 2;
 constexpr double kProbeDistance = 1.0 / 128.0;
 constexpr double kShortestPart = 1e-6;  // of the curve's length
 constexpr double kRootWidth = 1e-10, kExtremumWidth = 1e-6;
@@ -24,21 +24,34 @@ struct Probe {
   bool at_break;
 };
 
-std::vector<Probe> probes(const MeasuredCurve& curve) {
+// Between two breaks.
+void add_probes_between(MeasuredCurve& curve, int first, int last, std::vector<Probe>& result) {
+  const double from = curve.breaks()[first], to = curve.breaks()[last];
+  const double wanted = std::ceil((to - from) / (kProbeDistance * curve.length()));
+  const int parts = static_cast<int>(
+      std::clamp(wanted, static_cast<double>(kFewestParts), static_cast<double>(kMostParts)));
+  for (int part = 1; part < parts; ++part) {
+    const double s = from + (to - from) * part / parts;
+    const double curvature = last == first + 1 ? curve.curvature_between(first, part, parts)
+                                               : curve.at(s).signed_curvature;
+    result.push_back({s, curvature, false});
+  }
+}
+
+std::vector<Probe> probes(MeasuredCurve& curve) {
   std::vector<Probe> result;
+  const std::vector<double>& breaks = curve.breaks();
   const double shortest = kShortestPart * curve.length();
-  const auto add = [&](double s, bool at_break) {
-    result.push_back({s, curve.at(s).signed_curvature, at_break});
+  const auto add_break = [&](int k) {
+    result.push_back({breaks[k], curve.at(breaks[k]).signed_curvature, true});
   };
-  add(0.0, true);
-  double from = 0.0;
+  add_break(0);
+  int from = 0;
   // Breaks are probes themselves: curvature may have a corner there.
-  for (const double to : curve.breaks()) {
-    if (to - from <= shortest) continue;
-    const double wanted = std::ceil((to - from) / (kProbeDistance * curve.length()));
-    const int parts = static_cast<int>(std::clamp(wanted, kFewestParts, kMostParts));
-    for (int part = 1; part < parts; ++part) add(from + (to - from) * part / parts, false);
-    add(to, true);
+  for (int to = 1; to < static_cast<int>(breaks.size()); ++to) {
+    if (breaks[to] - breaks[from] <= shortest) continue;
+    add_probes_between(curve, from, to, result);
+    add_break(to);
     from = to;
   }
   return result;
@@ -189,7 +202,7 @@ class Marker {
 
 }  // namespace
 
-std::vector<CurveMark> curve_marks(const MeasuredCurve& curve, const CurvatureNoise& noise) {
+std::vector<CurveMark> curve_marks(MeasuredCurve& curve, const CurvatureNoise& noise) {
   if (!(curve.length() > 0.0)) return {};
   std::vector<Probe> along = probes(curve);
   const double threshold = threshold_of(along, noise);

@@ -35,6 +35,6 @@ struct CurveMark {
 // itself, inflections to 1e-10 of its length, extrema to 1e-6 (a curvature hardly changes beside
 // its extremum). Where a curve is straight between two bends an inflection is somewhere on the
 // straight part.
-std::vector<CurveMark> curve_marks(const MeasuredCurve& curve, const CurvatureNoise& noise);
+std::vector<CurveMark> curve_marks(MeasuredCurve& curve, const CurvatureNoise& noise);
 
 }  // namespace hull::analysis

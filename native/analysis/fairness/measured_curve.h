@@ -17,6 +17,9 @@ struct CurveSample {
   double signed_curvature = 0.0;
 };
 
+// Of the stretch from one break of a curve to the next.
+inline constexpr int kMostParts = 4;
+
 // A curve without knuckles, by its arc length (m) from 0 to length().
 class MeasuredCurve {
  public:
@@ -30,6 +33,12 @@ class MeasuredCurve {
 
   // REQUIRES: 0 <= s <= length().
   virtual CurveSample at(double s) const = 0;
+
+  // The signed curvature at part / parts of the way from break k to the next. A curve may keep it.
+  // REQUIRES: 0 < part < parts <= kMostParts.
+  virtual double curvature_between(int k, int part, int parts) {
+    return at(breaks_[k] + (breaks_[k + 1] - breaks_[k]) * part / parts).signed_curvature;
+  }
 
  protected:
   MeasuredCurve(std::vector<double> breaks, bool closed)

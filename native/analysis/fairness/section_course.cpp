@@ -35,11 +35,11 @@ Vector hermite(const Vector& p0, const Vector& d0, const Vector& p1, const Vecto
 }
 
 std::vector<double> lengths_along(const SectionCurve& curve, const SmoothStretch& stretch) {
-  std::vector<double> lengths{0.0};
+  std::vector<double> lengths;
   for (int i = stretch.first; i < stretch.last; ++i) {
     const double chord = (curve.points[i + 1] - curve.points[i]).norm();
     const double k0 = i == stretch.first ? stretch.first_curvature : curve.curvatures[i];
-    lengths.push_back(lengths.back() + arc_length(chord, k0, curve.curvatures[i + 1]));
+    lengths.push_back(arc_length(chord, k0, curve.curvatures[i + 1]));
   }
   return lengths;
 }
@@ -70,36 +70,75 @@ Course level_course(const surface::SurfaceJet& jet, const Vector3d& normal) {
 }  // namespace
 
 SectionCourse::SectionCourse(const surface::LimitSurface& surface, const Plane& plane,
-                             const SectionCurve& curve, const SmoothStretch& stretch)
-    : MeasuredCurve(lengths_along(curve, stretch), curve.closed && curve.knuckles.empty()),
+                             const SectionCurve& curve, const SmoothStretch& stretch,
+                             CourseMemory* memory)
+    : MeasuredCurve({0.0}, curve.closed && curve.knuckles.empty()),
       surface_(surface),
       plane_(plane),
       curve_(curve),
-      stretch_(stretch) {
-  segments_.reserve(breaks_.size() - 1);
-  for (int i = stretch.first; i < stretch.last; ++i) {
+      stretch_(stretch),
+      lengths_(lengths_along(curve, stretch)) {
+  segments_.reserve(lengths_.size());
+  for (const double length : lengths_) {
+    const int i = stretch.first + static_cast<int>(segments_.size());
     segments_.push_back(segment_between(i, i + 1));
-    lead(i - stretch.first);
+    breaks_.push_back(breaks_.back() + length);
+  }
+  for (const Run& run : runs()) {
+    const auto own = std::span(segments_).subspan(run.first, run.last - run.first);
+    if (memory && can_be_kept(run) && memory->recall(points_of(run), own)) continue;
+    for (int k = run.first; k < run.last; ++k) lead(k);
   }
 }
 
-double SectionCourse::middle_height(const Segment& segment) const {
+std::vector<SectionCourse::Run> SectionCourse::runs() const {
+  std::vector<Run> runs;
+  for (int k = 0; k < static_cast<int>(segments_.size()); ++k) {
+    if (k == 0 || segments_[k].cell != segments_[k - 1].cell) runs.push_back({k, k});
+    runs.back().last = k + 1;
+  }
+  return runs;
+}
+
+bool SectionCourse::can_be_kept(const Run& run) const {
+  return std::all_of(segments_.begin() + run.first, segments_.begin() + run.last,
+                     [](const CourseSegment& s) { return s.cell >= 0 && !s.is_compared; });
+}
+
+std::vector<CoursePoint> SectionCourse::points_of(const Run& run) const {
+  std::vector<CoursePoint> points;
+  points.reserve(run.last - run.first + 1);
+  for (int i = stretch_.first + run.first; i <= stretch_.first + run.last; ++i) {
+    const CurveSample at = known(i);
+    points.push_back({curve_.cells[i], curve_.uv[i], at.point, at.tangent, at.signed_curvature});
+  }
+  return points;
+}
+
+void SectionCourse::keep_in(CourseMemory& memory) const {
+  for (const Run& run : runs()) {
+    const auto own = std::span(segments_).subspan(run.first, run.last - run.first);
+    if (can_be_kept(run)) memory.keep(points_of(run), own);
+  }
+}
+
+double SectionCourse::middle_height(const CourseSegment& segment) const {
   const Eigen::Vector2d middle = 0.5 * (segment.from + segment.to);
   return std::abs(plane_.height(surface_.position(segment.cell, middle.x(), middle.y())));
 }
 
-SectionCourse::Segment SectionCourse::segment_between(int a, int b) const {
-  Segment segment = in_common_cell(a, b);
+CourseSegment SectionCourse::segment_between(int a, int b) const {
+  CourseSegment segment = in_common_cell(a, b);
   if (segment.along_side) {
     segment.along_side = middle_height(segment) <= kOnCurve * surface_.mesh().size();
   }
   return segment;
 }
 
-SectionCourse::Segment SectionCourse::in_common_cell(int a, int b) const {
+CourseSegment SectionCourse::in_common_cell(int a, int b) const {
   const auto straight = [](int cell, const Eigen::Vector2d& from, const Eigen::Vector2d& to) {
     const bool along_side = from.x() == to.x() || from.y() == to.y();
-    return Segment{cell, from, to, along_side, to - from, to - from};
+    return CourseSegment{cell, from, to, along_side, false, to - from, to - from};
   };
   const int cell = curve_.cells[a];
   const Eigen::Vector2d &uv_a = curve_.uv[a], &uv_b = curve_.uv[b];
@@ -109,14 +148,14 @@ SectionCourse::Segment SectionCourse::in_common_cell(int a, int b) const {
   }
   const CellPlaces from = cell_places(surface_.cells(), cell, uv_a);
   const CellPlaces to = cell_places(surface_.cells(), curve_.cells[b], uv_b);
-  Segment best{-1, {}, {}, false, {}, {}};
+  CourseSegment best{-1, {}, {}, false, false, {}, {}};
   std::optional<double> best_height;
   // Places on sides and at corners are in several cells; if two points have more than one in
   // common, the curve is taken to be in that where the way between them stays nearer to the plane.
   for (const surface::CellPlace& q : to) {
     for (const surface::CellPlace& p : from) {
       if (p.cell != q.cell) continue;
-      const Segment segment = straight(p.cell, {p.u, p.v}, {q.u, q.v});
+      const CourseSegment segment = straight(p.cell, {p.u, p.v}, {q.u, q.v});
       if (best.cell < 0) {
         best = segment;  // as a rule the only one
         continue;
@@ -128,31 +167,30 @@ SectionCourse::Segment SectionCourse::in_common_cell(int a, int b) const {
       best_height = height;
     }
   }
+  best.is_compared = best_height.has_value();
   return best;
 }
 
 // A cubic in (u, v) with the curve's own directions is where Newton's method begins: as a rule one
 // step is enough from there.
 void SectionCourse::lead(int k) {
-  Segment& segment = segments_[k];
+  CourseSegment& segment = segments_[k];
   if (segment.cell < 0 || segment.along_side) return;
-  const Segment* before = k > 0 ? &segments_[k - 1] : nullptr;
+  const CourseSegment* before = k > 0 ? &segments_[k - 1] : nullptr;
   if (before && before->cell == segment.cell && before->to == segment.from &&
-      breaks_[k] > breaks_[k - 1]) {
+      lengths_[k - 1] > 0.0) {
     // The same direction, of a parameter over another length.
-    const double ratio = (breaks_[k + 1] - breaks_[k]) / (breaks_[k] - breaks_[k - 1]);
-    segment.leaving = ratio * before->reaching;
+    segment.leaving = lengths_[k] / lengths_[k - 1] * before->reaching;
   } else {
     segment.leaving = slope_at(segment, k, false);
   }
   segment.reaching = slope_at(segment, k, true);
 }
 
-Eigen::Vector2d SectionCourse::slope_at(const Segment& segment, int k, bool at_end) const {
+Eigen::Vector2d SectionCourse::slope_at(const CourseSegment& segment, int k, bool at_end) const {
   const Eigen::Vector2d& uv = at_end ? segment.to : segment.from;
   const Eigen::Vector2d chord = segment.to - segment.from;
-  const Vector3d d1 =
-      (breaks_[k + 1] - breaks_[k]) * known(stretch_.first + k + (at_end ? 1 : 0)).tangent;
+  const Vector3d d1 = lengths_[k] * known(stretch_.first + k + (at_end ? 1 : 0)).tangent;
   surface::SurfaceJet jet;
   surface_.evaluate(segment.cell, uv.x(), uv.y(), 1, jet);
   // The (u, v) whose step along the surface comes nearest to d1: two normal equations.
@@ -178,7 +216,8 @@ CurveSample SectionCourse::known(int index) const {
   return sample(curve_.tangents[index], curve_.points[index], curve_.curvatures[index]);
 }
 
-bool SectionCourse::on_line(const Segment& segment, double fraction, CurveSample& result) const {
+bool SectionCourse::on_line(const CourseSegment& segment, double fraction,
+                            CurveSample& result) const {
   const Eigen::Vector2d step = segment.to - segment.from;
   const Eigen::Vector2d uv = segment.from + fraction * step;
   const surface::SurfaceJet jet = surface_.evaluate(segment.cell, uv.x(), uv.y(), 2);
@@ -190,7 +229,7 @@ bool SectionCourse::on_line(const Segment& segment, double fraction, CurveSample
   return true;
 }
 
-bool SectionCourse::on_plane(const Segment& segment, double fraction, const Vector3d& near,
+bool SectionCourse::on_plane(const CourseSegment& segment, double fraction, const Vector3d& near,
                              const Vector3d& along, CurveSample& result) const {
   const double size = surface_.mesh().size();
   Eigen::Vector2d uv =
@@ -230,13 +269,27 @@ CurveSample SectionCourse::at(double s) const {
   const auto next = std::upper_bound(breaks_.begin() + 1, breaks_.end() - 1, s);
   const int k = static_cast<int>(next - breaks_.begin()) - 1;
   const double length = breaks_[k + 1] - breaks_[k];
+  if (s <= breaks_[k] || !(length > 0.0)) return known(stretch_.first + k);
+  if (s >= breaks_[k + 1]) return known(stretch_.first + k + 1);
+  return between(k, (s - breaks_[k]) / length);
+}
+
+double SectionCourse::curvature_between(int k, int part, int parts) {
+  CourseSegment& segment = segments_[k];
+  if (segment.parts != parts) {
+    for (int i = 1; i < parts; ++i) {
+      segment.part_curvatures[i - 1] = between(k, static_cast<double>(i) / parts).signed_curvature;
+    }
+    segment.parts = parts;
+  }
+  return segment.part_curvatures[part - 1];
+}
+
+CurveSample SectionCourse::between(int k, double fraction) const {
   const CurveSample a = known(stretch_.first + k), b = known(stretch_.first + k + 1);
-  if (s <= breaks_[k] || !(length > 0.0)) return a;
-  if (s >= breaks_[k + 1]) return b;
-  const double fraction = (s - breaks_[k]) / length;
-  const Vector3d leaving = length * a.tangent, reaching = length * b.tangent;
+  const Vector3d leaving = lengths_[k] * a.tangent, reaching = lengths_[k] * b.tangent;
   const Vector3d near = hermite(a.point, leaving, b.point, reaching, fraction);
-  const Segment& segment = segments_[k];
+  const CourseSegment& segment = segments_[k];
   CurveSample result;
   if (segment.cell >= 0) {
     if (segment.along_side && on_line(segment, fraction, result)) return result;

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "analysis/fairness/course_memory.h"
 #include "analysis/fairness/measured_curve.h"
 #include "analysis/sections/sections.h"
 
@@ -16,37 +17,43 @@ namespace hull::analysis {
 // 1e-5 of the size.
 class SectionCourse : public MeasuredCurve {
  public:
-  // Keeps references to the surface and the curve.
+  // Keeps references to the surface and the curve. What the memory, if any, knows of the plane's
+  // sections is taken over: the same as it is without.
   SectionCourse(const surface::LimitSurface& surface, const Plane& plane, const SectionCurve& curve,
-                const SmoothStretch& stretch);
+                const SmoothStretch& stretch, CourseMemory* memory = nullptr);
 
   CurveSample at(double s) const override;
+  double curvature_between(int k, int part, int parts) override;
+
+  // Keeps what is known by now.
+  void keep_in(CourseMemory& memory) const;
 
  private:
-  // Between two points: in one cell, from (u, v) to (u, v); cell -1 if they have none in common.
-  struct Segment {
-    int cell;
-    Eigen::Vector2d from, to;
-    bool along_side;  // on a line of constant u or v that lies in the plane
-    // d(u, v) at both ends, for a parameter from 0 to 1: the curve's cubic there.
-    Eigen::Vector2d leaving, reaching;
+  // Segments first … last - 1, which are all that are side by side in one cell.
+  struct Run {
+    int first, last;
   };
-  Segment segment_between(int a, int b) const;
-  Segment in_common_cell(int a, int b) const;
-  double middle_height(const Segment& segment) const;
+  CourseSegment segment_between(int a, int b) const;
+  CourseSegment in_common_cell(int a, int b) const;
+  double middle_height(const CourseSegment& segment) const;
+  std::vector<Run> runs() const;
+  bool can_be_kept(const Run& run) const;
+  std::vector<CoursePoint> points_of(const Run& run) const;
   void lead(int k);
-  Eigen::Vector2d slope_at(const Segment& segment, int k, bool at_end) const;
+  Eigen::Vector2d slope_at(const CourseSegment& segment, int k, bool at_end) const;
+  CurveSample between(int k, double fraction) const;
   CurveSample known(int index) const;
   CurveSample sample(const Vector3d& tangent, const Vector3d& point, double curvature) const;
-  bool on_line(const Segment& segment, double fraction, CurveSample& sample) const;
-  bool on_plane(const Segment& segment, double fraction, const Vector3d& near,
+  bool on_line(const CourseSegment& segment, double fraction, CurveSample& sample) const;
+  bool on_plane(const CourseSegment& segment, double fraction, const Vector3d& near,
                 const Vector3d& along, CurveSample& sample) const;
 
   const surface::LimitSurface& surface_;
   Plane plane_;
   const SectionCurve& curve_;
   SmoothStretch stretch_;
-  std::vector<Segment> segments_;
+  std::vector<double> lengths_;  // m, between the breaks
+  std::vector<CourseSegment> segments_;
 };
 
 }  // namespace hull::analysis

@@ -11,9 +11,7 @@ CellBoxes::CellBoxes(const surface::LimitSurface& surface)
 }
 
 void CellBoxes::update(const surface::LimitSurface& surface) {
-  for (int cell = 0; cell < surface.cell_count(); ++cell) {
-    if (surface.moved_at(cell) > revision_) take(surface, cell);
-  }
+  for (const int cell : surface.cells_moved_since(revision_)) take(surface, cell);
   revision_ = surface.revision();
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/sections/kept_sections.h"
 
+#include "analysis/sections/kept_cells.h"
 #include "analysis/sections/section_curves.h"
 #include "surface/parallel_for.h"
 
@@ -35,11 +36,7 @@ std::vector<std::vector<SectionCurve>> KeptSections::sections(const std::vector<
   if (rules_ != rules) kept_.clear();
   rules_ = rules;
   boxes_.update(*surface_);
-  std::vector<PlaneKey> keys;
-  for (const Plane& plane : planes) {
-    keys.push_back({plane.normal.x(), plane.normal.y(), plane.normal.z(), plane.offset});
-  }
-  const std::vector<KeptParts*> kept = kept_.of(keys);
+  const std::vector<KeptParts*> kept = kept_.of(keys_of(planes));
   std::vector<std::vector<SectionCurve>> result(planes.size());
   surface::parallel_for(
       planes.size(), surface::kAllProcessors,
@@ -56,23 +53,22 @@ std::vector<SectionCurve> KeptSections::cut(const Plane& plane, CellCutter& cutt
   KeptParts now{surface_->revision(), {}, {}};
   PlaneSides sides(*surface_, plane);
   std::array<int, 3> begin{}, last{};
-  auto next = kept.cells.begin();
-  for (int cell = 0; cell < surface_->cell_count(); ++cell) {
-    const bool had_parts = next != kept.cells.end() && next->cell == cell;
-    const std::array<int, 3> end = had_parts ? next->ends : begin;
-    if (surface_->moved_at(cell) > kept.revision) {
+  const auto take = [&](int cell, const CellEnds* known, bool has_moved) {
+    if (has_moved) {
       if (cutter.may_have_part(boxes_, cell, plane)) {
         cutter.add_parts(cell, plane, sides, now.parts);
       }
-    } else if (had_parts) {
-      append(kept.parts, begin, end, now.parts);
+    } else {
+      append(kept.parts, begin, known->ends, now.parts);
     }
-    if (had_parts) ++next;
-    begin = end;
+    if (known) begin = known->ends;
     const std::array<int, 3> so_far = counts(now.parts);
     if (so_far != last) now.cells.push_back({cell, so_far});
     last = so_far;
-  }
+  };
+  for_each_moved_or_kept(
+      surface_->cells_moved_since(kept.revision), kept.cells,
+      [](const CellEnds& known) { return known.cell; }, take);
   const bool keeps = sides.empty();
   if (!keeps) sides.add_arcs(rules_->chord, now.parts);
   std::vector<SectionCurve> curves = section_curves(*surface_, now.parts);

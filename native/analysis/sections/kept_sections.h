@@ -8,6 +8,7 @@
 #include "analysis/sections/cell_boxes.h"
 #include "analysis/sections/cell_cutter.h"
 #include "analysis/sections/kept_entries.h"
+#include "analysis/sections/plane_keys.h"
 #include "analysis/sections/section_point.h"
 #include "analysis/sections/sections.h"
 
@@ -40,7 +41,6 @@ class KeptSections {
     std::vector<CellEnds> cells;
     SectionParts parts;
   };
-  using PlaneKey = std::array<double, 4>;
   std::vector<SectionCurve> cut(const Plane& plane, CellCutter& cutter, KeptParts& kept) const;
 
   const surface::LimitSurface* surface_;

@@ -11,14 +11,10 @@ MoveWatch::MoveWatch(const surface::LimitSurface& surface)
 
 void MoveWatch::update() {
   const surface::LimitSurface& surface = stamp_.surface();
-  cells_.clear();
+  cells_ = surface.cells_moved_since(stamp_.revision());
   moved_.clear();
-  for (int cell = 0; cell < surface.cell_count(); ++cell) {
-    if (surface.moved_at(cell) <= stamp_.revision()) continue;
-    cells_.push_back(cell);
-    // For now low and high: where the cell was counts as well as where it is.
-    moved_.push_back({boxes_.low(cell), boxes_.high(cell)});
-  }
+  // For now low and high: where the cell was counts as well as where it is.
+  for (const int cell : cells_) moved_.push_back({boxes_.low(cell), boxes_.high(cell)});
   boxes_.update(surface);
   for (std::size_t i = 0; i < cells_.size(); ++i) {
     const Vector3d low = moved_[i].middle.cwiseMin(boxes_.low(cells_[i]));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/stations/kept_stations.h"
 
+#include "analysis/sections/kept_cells.h"
 #include "surface/parallel_for.h"
 
 namespace hull::analysis {
@@ -36,10 +37,11 @@ std::vector<SectionArea> KeptStations::section_areas(const std::vector<double>& 
   return areas;
 }
 
-SectionArea KeptStations::station(double position, const Plane& water, const ArcRule& rule) {
+SectionArea KeptStations::station(const StationCutter& cutter, double position, const Plane& water,
+                                  const ArcRule& rule) {
   require(water);
   const Station asked{position, rule};
-  return station(StationCutter(*body_), asked, *kept_.of({asked}).front());
+  return station(cutter, asked, *kept_.of({asked}).front());
 }
 
 SectionArea KeptStations::station(const StationCutter& cutter, const Station& asked,
@@ -56,19 +58,19 @@ SectionArea KeptStations::station(const StationCutter& cutter, const Station& as
   const SectionFrame frame = SectionFrame::above_water({Vector3d::UnitX(), position}, water);
   const ArcReach search(surface, frame, 0.0);
   KeptCells now{surface.revision(), {}};
-  SectionIntegrals sum;
-  auto known = kept.cells.begin();
-  for (int cell = 0; cell < surface.cell_count(); ++cell) {
-    const bool is_known = known != kept.cells.end() && known->first == cell;
-    if (surface.moved_at(cell) <= kept.revision) {
-      if (is_known) now.cells.push_back(*known);
+  const auto take = [&](int cell, const OfCell* known, bool has_moved) {
+    if (!has_moved) {
+      now.cells.push_back(*known);
     } else if (search.may_reach(body_->boxes(), cell)) {
       SectionIntegrals& of_cell = now.cells.emplace_back(cell, SectionIntegrals{}).second;
       for_each_arc_in(search, cell, rule.deepest,
                       [&](const ArcSquare& square) { add_arcs(square, 0.0, rule, of_cell); });
     }
-    if (is_known) ++known;
-  }
+  };
+  for_each_moved_or_kept(
+      surface.cells_moved_since(kept.revision), kept.cells,
+      [](const OfCell& known) { return known.first; }, take);
+  SectionIntegrals sum;
   for (const auto& [cell, of_cell] : now.cells) sum += of_cell;
   for (const ClosingLine& line : cutter.closing_lines(frame)) {
     add_line(line.a0, line.b0, line.a1, line.b1, 0.0, sum);

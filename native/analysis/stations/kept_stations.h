@@ -23,17 +23,19 @@ class KeptStations {
   // The same as analysis::section_areas() of the body as it is, to the last bit.
   std::vector<SectionArea> section_areas(const std::vector<double>& positions, const Plane& water);
 
-  // The same as analysis::immersed_station().
-  SectionArea station(double position, const Plane& water, const ArcRule& rule);
+  // The same as analysis::immersed_station() by a cutter of the body as it is.
+  SectionArea station(const StationCutter& cutter, double position, const Plane& water,
+                      const ArcRule& rule);
 
   const HullBody& body() const { return *body_; }
   // Of how many stations integrals are kept.
   std::size_t station_count() const { return kept_.size(); }
 
  private:
+  using OfCell = std::pair<int, SectionIntegrals>;
   struct KeptCells {
-    int revision = -1;  // of the surface that they are of: cells that moved later are not
-    std::vector<std::pair<int, SectionIntegrals>> cells;  // in order
+    int revision = -1;          // of the surface that they are of: cells that moved later are not
+    std::vector<OfCell> cells;  // in order
   };
   // What all that is kept depends on but the surface's cells.
   struct Conditions {

@@ -101,7 +101,7 @@ SectionArea largest_section(const StationCutter& cutter, const Plane& water, Kep
   if (!(end > begin)) return {};
   const HullBody& body = cutter.body();
   const Stations station = [&](double x, const ArcRule& rule) {
-    return kept ? kept->station(x, water, rule) : immersed_station(cutter, x, water, rule);
+    return kept ? kept->station(cutter, x, water, rule) : immersed_station(cutter, x, water, rule);
   };
   const double size = body.surface().mesh().size();
   // Three nodes an arc, and errors that none has: nothing is halved.

@@ -75,14 +75,6 @@ void add_other_side(SectionIntegrals other, SectionIntegrals& sum) {
   sum += other;
 }
 
-// The largest distance of the points from the plane x = position.
-template <class Points>
-double farthest(const Points& points, double position) {
-  double distance = 0.0;
-  for (const Vector3d& p : points) distance = std::max(distance, std::abs(p.x() - position));
-  return distance;
-}
-
 }  // namespace
 
 SectionOutline::SectionOutline(const surface::LimitSurface& surface, const CellBoxes& boxes,
@@ -128,22 +120,32 @@ void SectionOutline::prepare() {
 }
 
 StationCutter::StationCutter(const HullBody& body)
-    : body_(&body), rule_(arc_rule(body.surface().mesh().size(), body.tolerance())) {}
-
-std::optional<double> StationCutter::distance_of_flats(double position) const {
-  const surface::LimitSurface& surface = body_->surface();
-  const double most = kInPlane * surface.mesh().size();
-  std::optional<double> distance;
+    : body_(&body), rule_(arc_rule(body.surface().mesh().size(), body.tolerance())) {
+  const surface::LimitSurface& surface = body.surface();
+  const double thickest = 2.0 * kInPlane * surface.mesh().size();
   const auto take = [&](const auto& points) {
-    // One point is enough to leave out most of the ship.
-    if (std::abs(points[0].x() - position) > most) return;
-    const double own = farthest(points, position);
-    if (own <= most) distance = std::max(distance.value_or(0.0), own);
+    double low = points[0].x(), high = low;
+    for (const Vector3d& p : points) {
+      low = std::min(low, p.x());
+      high = std::max(high, p.x());
+      // Most of a ship is left out by the second point or the third.
+      if (high - low > thickest) return;
+    }
+    flats_.push_back({low, high});
   };
   // By control points, in whose hull the parts lie.
   for (int i = 0; i < surface.layout().leaf_count(); ++i) take(surface.leaf(i));
   for (int i = 0; i < surface.layout().corner_count(); ++i) take(surface.corner(i).outer);
-  for (const BorderEdge& edge : body_->border()) take(edge.points);
+  for (const BorderEdge& edge : body.border()) take(edge.points);
+}
+
+std::optional<double> StationCutter::distance_of_flats(double position) const {
+  const double most = kInPlane * body_->surface().mesh().size();
+  std::optional<double> distance;
+  for (const Flat& flat : flats_) {
+    const double own = std::max(std::abs(flat.low - position), std::abs(flat.high - position));
+    if (own <= most) distance = std::max(distance.value_or(0.0), own);
+  }
   return distance;
 }
 

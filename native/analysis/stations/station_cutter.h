@@ -37,7 +37,7 @@ class SectionOutline {
   std::vector<ClosingLine> closing_;
 };
 
-// Cuts stations out of a body as it is when asked. `body` must outlive it.
+// Cuts stations out of a body as it is when the cutter is made. `body` must outlive it.
 class StationCutter {
  public:
   explicit StationCutter(const HullBody& body);
@@ -60,8 +60,14 @@ class StationCutter {
   const ArcRule& rule() const { return rule_; }
 
  private:
+  // From the least to the greatest x of control points of a part of the shell, or border.
+  struct Flat {
+    double low, high;
+  };
+
   const HullBody* body_;
   ArcRule rule_;
+  std::vector<Flat> flats_;  // that are across x, but for less than twice kInPlane of the size
 };
 
 // A station of both sides, cut once and then immersed to any level above (or below) a water's

@@ -55,9 +55,9 @@ bool ShownPoints::update() {
   sharing_changed_ = false;
   const bool are_all_due = follow_size();
   std::vector<int> cells;
-  for (int cell = 0; cell < surface.cell_count(); ++cell) {
-    // Whatever moved since the last update, in however many calls of set_points().
-    if (are_all_due || surface.moved_at(cell) > stamp_.revision()) cells.push_back(cell);
+  // Whatever moved since the last update, in however many calls of set_points().
+  for (const int cell : surface.cells_moved_since(are_all_due ? -1 : stamp_.revision())) {
+    cells.push_back(cell);
     if (cells.size() < kCellsAtATime) continue;
     take_cells(cells);
     cells.clear();

@@ -8,7 +8,7 @@ is no tag of a hull and is told apart so that it can be reported.
 
 import hashlib
 from dataclasses import dataclass, replace
-from itertools import chain
+from itertools import chain, compress
 
 import bmesh
 import numpy as np
@@ -22,14 +22,14 @@ from .face_sides import ends_of_sides
 class MeshData:
     """A whole Blender mesh; indices are Blender's.
 
-    points (n, 3) float32 in Blender's units; edges (e, 2); edge_creases (e,); vertex_creases (n,);
-    face_sizes (f,); face_vertices (sum of face_sizes,); face_slots (f,) material slots;
-    deck_edges (e,) whether an edge is marked as deck edge. ties: point_ties.PointTies, None
-    without any.
+    points (n, 3) float32 in Blender's units; vertex_creases (n,); face_sizes (f,); face_vertices
+    (sum of face_sizes,); face_slots (f,) material slots. tagged_edges (e, 2): those with a crease
+    or a mark; edge_creases (e,) of them, deck_edges (e,) whether one is marked as deck edge. ties:
+    point_ties.PointTies, None without any.
     """
 
     points: np.ndarray
-    edges: np.ndarray
+    tagged_edges: np.ndarray
     edge_creases: np.ndarray
     vertex_creases: np.ndarray
     face_sizes: np.ndarray
@@ -48,15 +48,20 @@ class MeshData:
 
     def topology_digest(self):
         """Equal for meshes that differ by the places of their points, and by marks, only."""
+        has_crease = self.edge_creases > 0.0
         return _digest(
             np.array(len(self.points)),
-            self.edges,
-            self.edge_creases,
+            self.tagged_edges[has_crease],
+            self.edge_creases[has_crease],
             self.vertex_creases,
             self.face_sizes,
             self.face_vertices,
             self.face_slots,
         )
+
+    def deck_edge(self):
+        """(k, 2) the edges that are marked as deck edge."""
+        return self.tagged_edges[self.deck_edges]
 
     def points_digest(self):
         """Equal for equal points, of which those that are tied are more exact than the mesh's."""
@@ -107,8 +112,8 @@ def read_mesh(mesh):
 def _read_stored_mesh(mesh):
     points = np.empty((len(mesh.vertices), 3), dtype=np.float32)
     mesh.vertices.foreach_get("co", points.reshape(-1))
-    edges = np.empty((len(mesh.edges), 2), dtype=np.int32)
-    mesh.edges.foreach_get("vertices", edges.reshape(-1))
+    creases, marks = blender_versions.edge_creases(mesh), deck_edge_marks.stored_marks(mesh)
+    is_tagged = (creases > 0.0) | marks
     face_sizes = np.empty(len(mesh.polygons), dtype=np.int32)
     mesh.polygons.foreach_get("loop_total", face_sizes)
     face_slots = np.empty(len(mesh.polygons), dtype=np.int32)
@@ -117,15 +122,21 @@ def _read_stored_mesh(mesh):
     mesh.loops.foreach_get("vertex_index", face_vertices)
     return MeshData(
         points,
-        edges,
-        blender_versions.edge_creases(mesh),
+        _stored_edges(mesh)[is_tagged],
+        creases[is_tagged],
         blender_versions.vertex_creases(mesh),
         face_sizes,
         face_vertices,
         face_slots,
-        deck_edge_marks.stored_marks(mesh),
+        marks[is_tagged],
         point_ties.read(mesh),
     )
+
+
+def _stored_edges(mesh):
+    edges = np.empty((len(mesh.edges), 2), dtype=np.int32)
+    mesh.edges.foreach_get("vertices", edges.reshape(-1))
+    return edges
 
 
 def _read_edit_mesh(mesh):
@@ -134,21 +145,27 @@ def _read_edit_mesh(mesh):
     edge_layer, vertex_layer = blender_versions.find_crease_layers(bm)
     # NumPy reads plain numbers much faster than Blender's vectors.
     points = np.fromiter(chain.from_iterable([v.co for v in bm.verts]), np.float32)
-    edges = np.fromiter([v.index for e in bm.edges for v in e.verts], np.int32)
-    edge_creases = [e[edge_layer] for e in bm.edges] if edge_layer else [0.0] * len(bm.edges)
-    vertex_creases = [v[vertex_layer] for v in bm.verts] if vertex_layer else [0.0] * len(bm.verts)
-    face_loops = [[v.index for v in face.verts] for face in bm.faces]
+    creases, marks = _layer(bm.edges, edge_layer), deck_edge_marks.edited_marks(bm)
+    is_tagged = (creases > 0.0) | marks
+    tagged = compress(bm.edges, is_tagged.tolist()) if is_tagged.any() else ()
     return MeshData(
         points.reshape(-1, 3),
-        edges.reshape(-1, 2),
-        np.array(edge_creases, dtype=np.float32),
-        np.array(vertex_creases, dtype=np.float32),
-        np.array([len(loop) for loop in face_loops], dtype=np.int32),
-        np.fromiter(chain.from_iterable(face_loops), np.int32),
-        np.array([face.material_index for face in bm.faces], dtype=np.int32),
-        deck_edge_marks.edited_marks(bm),
+        np.array([[v.index for v in edge.verts] for edge in tagged], np.int32).reshape(-1, 2),
+        creases[is_tagged],
+        _layer(bm.verts, vertex_layer),
+        np.fromiter([len(face.verts) for face in bm.faces], np.int32),
+        np.fromiter([v.index for face in bm.faces for v in face.verts], np.int32),
+        np.fromiter([face.material_index for face in bm.faces], np.int32),
+        marks[is_tagged],
         point_ties.read(mesh),
     )
+
+
+def _layer(elements, layer):
+    """(n,) float32 of vertices or edges of a BMesh; layer None: all 0."""
+    if layer is None:
+        return np.zeros(len(elements), dtype=np.float32)
+    return np.fromiter([one[layer] for one in elements], np.float32)
 
 
 def control_arrays(data, metres_per_unit, excluded_slots=()):
@@ -173,11 +190,11 @@ def control_arrays(data, metres_per_unit, excluded_slots=()):
         data.exact_points()[vertex_ids] * metres_per_unit,
         face_sizes,
         new_index[face_vertices],
-        on_shell(data.edges[data.edge_creases >= 1.0]),
+        on_shell(data.tagged_edges[data.edge_creases >= 1.0]),
         corners[corners >= 0],
         vertex_ids,
         np.flatnonzero(in_shell),
-        on_shell(data.edges[data.deck_edges]),
+        on_shell(data.deck_edge()),
     )
 
 
@@ -189,15 +206,15 @@ def moved_arrays(control, data, metres_per_unit):
 
 def fractional_creases(data):
     """(edges (k, 2) as vertex pairs, vertices (m,)) whose crease lies strictly between 0 and 1."""
-    edges = data.edges[(data.edge_creases > 0.0) & (data.edge_creases < 1.0)]
+    edges = data.tagged_edges[(data.edge_creases > 0.0) & (data.edge_creases < 1.0)]
     vertices = np.flatnonzero((data.vertex_creases > 0.0) & (data.vertex_creases < 1.0))
     return edges, vertices
 
 
-def edges_of_faces(data):
-    """(e,) which edges belong to a face."""
-    shell_edges = _face_edge_keys(data.face_sizes, data.face_vertices)
-    return np.isin(edge_keys(data.edges), shell_edges)
+def of_faces(data, edges):
+    """(m, 2) those of edges (k, 2) of a MeshData that belong to a face."""
+    keys = _face_edge_keys(data.face_sizes, data.face_vertices)
+    return edges[np.isin(edge_keys(edges), keys)]
 
 
 def border_edges(control):
@@ -238,9 +255,7 @@ def write_tags(mesh, creases, corners, deck_edge=()):
 
     What is between two vertices that no edge joins is left out: files may name such.
     """
-    edges = np.empty((len(mesh.edges), 2), dtype=np.int32)
-    mesh.edges.foreach_get("vertices", edges.reshape(-1))
-    keys = edge_keys(edges)
+    keys = edge_keys(_stored_edges(mesh))
     crease_edges = np.flatnonzero(np.isin(keys, edge_keys(creases)))
     if len(crease_edges) or len(corners):
         blender_versions.set_creases(mesh, crease_edges, corners)

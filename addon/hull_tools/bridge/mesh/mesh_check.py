@@ -44,20 +44,21 @@ class MeshCheck:
         return [problem for problem in self.problems if problem.severity == "error"]
 
 
-def check_control_mesh(data, control, half):
+def check_control_mesh(data, control, half, before=None):
     """(MeshCheck, hull_native.ControlMesh or None when there are errors).
 
-    `data` is the MeshData that the ControlArrays `control` were taken from.
+    `data` is the MeshData that the ControlArrays `control` were taken from. before: a ControlMesh
+    that differs by the places of its points only, of which the rest is known.
     """
-    hull_native = native.require()
-    problems = _size_errors(control, half)
+    mesh, problems = None, _size_errors(control, half)
     if not problems:
-        found_problems = _native_problems(hull_native, control)
+        mesh, found_problems = _native_problems(control, before)
         problems = [_from_native(found, control) for found in found_problems]
     problems += _shell_errors(control) + _tag_warnings(data)
     if any(problem.severity == "error" for problem in problems):
         return MeshCheck(len(control.points), 0, len(control.face_sizes), 0, tuple(problems)), None
-    mesh = hull_native.ControlMesh(*control.arguments())
+    if mesh is None:
+        mesh = native.require().ControlMesh(*control.arguments())
     problems += _side_warnings(control, half)
     problems += _centre_line_warnings(mesh, control) if half else _slit_warnings(control)
     problems += _doubled_warnings(control, half)
@@ -109,10 +110,17 @@ def _size_errors(control, half):
     return [Problem("error", "mesh", (), message)]
 
 
-def _native_problems(hull_native, control):
+def _native_problems(control, before):
+    """(the ControlMesh where it is that of before with other points, else None, problems)."""
     if not len(control.face_sizes):
-        return []
-    return hull_native.check_mesh(*control.arguments())
+        return None, []
+    if before is not None:
+        try:
+            mesh = before.with_points(control.points)
+            return mesh, mesh.warnings
+        except ValueError:
+            pass  # of these points all that is wrong is told
+    return None, native.require().check_mesh(*control.arguments())
 
 
 def _from_native(found, control):
@@ -210,9 +218,12 @@ def doubled(control, half):
 
 
 def _doubled_warnings(control, half):
+    found = doubled(control, half)
+    if not len(found):
+        return []
     reach = 1e3 * _dust(control.points)
     apart = f"within {reach:.2g} mm, so that the faces on both sides are not joined"
-    return _twice_warnings(control, doubled(control, half), "of borders", apart, "POINTS")
+    return _twice_warnings(control, found, "of borders", apart, "POINTS")
 
 
 def _twice_warnings(control, found, where, apart, remedy):
@@ -245,7 +256,8 @@ def outward_flux(control):
     which way the faces are turned even though the mesh is open.
     """
     starts = np.cumsum(control.face_sizes) - control.face_sizes
-    corners = control.points[control.face_vertices]
-    area_y = 0.5 * np.cross(corners, corners[next_corners(control.face_sizes)])[:, 1]
-    mean_y = np.add.reduceat(corners[:, 1], starts) / control.face_sizes
+    x, y, z = control.points.T[:, control.face_vertices]
+    following = next_corners(control.face_sizes)
+    area_y = 0.5 * (z * x[following] - x * z[following])
+    mean_y = np.add.reduceat(y, starts) / control.face_sizes
     return float(np.sum(mean_y * np.add.reduceat(area_y, starts)))

@@ -14,18 +14,21 @@ _MARGIN = 2.0
 @dataclass(frozen=True, eq=False)
 class Moves:
     """before, after: keys of the surface, equal where surfaces are. watch: a hull_native.MoveWatch
-    of what has moved between the two. cutter: a hull_native.KeptSections of the surface."""
+    of what has moved between the two. cutter: a hull_native.KeptSections of the surface; judge: a
+    hull_native.KeptFairness of it."""
 
     before: tuple
     after: tuple
     watch: object = None
     cutter: object = None
+    judge: object = None
 
     @staticmethod
     def of(surface, key):
         """Of a new hull_native.LimitSurface with this key."""
         hull_native = native.require()
-        return Moves(None, key, hull_native.MoveWatch(surface), hull_native.KeptSections(surface))
+        kinds = hull_native.MoveWatch, hull_native.KeptSections, hull_native.KeptFairness
+        return Moves(None, key, *(kind(surface) for kind in kinds))
 
     def kept(self, key, planes, tolerance):
         """(n,) which sections of a surface with this key, by planes (n, 4), are those of the
@@ -49,3 +52,8 @@ class Moves:
                 surface, planes, chord_tolerance, flat_tolerance=flat_tolerance
             )
         return self.cutter.sections(planes, chord_tolerance, flat_tolerance=flat_tolerance)
+
+    def fairness(self, planes, sections, **options):
+        """hull_native.section_fairness of what sections() gave for planes (n, 4); of what it was
+        asked before only what has moved is judged anew."""
+        return self.judge.section_fairness(planes, sections, **options)

@@ -8,8 +8,6 @@ is a hull with its own settings. A hull that is linked from another file is show
 cannot be changed.
 """
 
-import numpy as np
-
 from . import migration, modifiers
 
 _UPRIGHT_TOLERANCE = 1e-6
@@ -135,8 +133,11 @@ def from_world(obj):
 
 
 def _is_turned(matrix):
-    difference = np.array(matrix.to_3x3()) - np.eye(3)
-    return np.abs(difference).max() > _UPRIGHT_TOLERANCE
+    return any(
+        abs(part - (row == column)) > _UPRIGHT_TOLERANCE
+        for row, parts in enumerate(matrix.to_3x3())
+        for column, part in enumerate(parts)
+    )
 
 
 def remarks(obj):

@@ -10,17 +10,19 @@ from ...bridge.mesh import mesh_check, mesh_points
 from . import flats
 
 
-def kept(obj, data, control, border_edges):
+def kept(obj, data, control, mesh):
     """The MeshData of a hull in edit mode with the points that left the centre plane back on it, in
     Blender's mesh too.
 
-    control: the ControlArrays of the same mesh as it was seen last; border_edges (b, 2) of these.
-    Only points of the border that were on it are kept. Not so points without a face that
-    has an area, which were just extruded, and points of flats that would leave their plane.
+    control: the ControlArrays of the same mesh as it was seen last; mesh: the
+    hull_native.ControlMesh of these. Only points of the border that were on it are kept. Not so
+    points without a face that has an area, which were just extruded, and points of flats that would
+    leave their plane.
     """
-    border = np.unique(border_edges)
-    on_plane = border[mesh_check.on_centre_plane(control.points)[border]]
-    left = on_plane[data.points[control.vertex_ids[on_plane], 1] != 0.0]
+    was_on = mesh_check.on_centre_plane(control.points)
+    left = np.flatnonzero(was_on & (data.points[control.vertex_ids, 1] != 0.0))
+    if len(left):  # else, as a rule, there is no need to know the border
+        left = left[np.isin(left, mesh.border_edges)]
     if not len(left):
         return data
     left = left[_have_area(control, left)]

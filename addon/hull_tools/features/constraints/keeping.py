@@ -54,8 +54,8 @@ class Keeping:
         if self.planes.contradicted:
             held.append(_CONTRADICTED.format(counted_are(self.planes.contradicted, "point")))
         if is_by_hand and _keeps_centre(obj, found, before):
-            border = before.surface.mesh.border_edges
-            kept = centre_keeping.kept(obj, found.data, before.source.control, border)
+            control, mesh = before.source.control, before.surface.mesh
+            kept = centre_keeping.kept(obj, found.data, control, mesh)
             if kept is not found.data:
                 found = found.with_points(kept)
                 held.append(_ON_CENTRE)

@@ -52,6 +52,8 @@ class KeptPoints:
 def read(mesh):
     """The KeptPoints of a Blender mesh, in edit mode or not."""
     indices, checks, places = _read_edited(mesh) if mesh.is_editmode else _read_stored(mesh)
+    if not len(indices):  # as of nearly all hulls, at each step of the mouse
+        return KeptPoints(indices, np.zeros((0, 3), dtype=bool), places)
     places = places + np.float32(0.0)  # no -0
     is_kept = (checks != 0.0) & (np.rint(checks) == _checks(places))
     is_any = is_kept.any(axis=1)

@@ -170,26 +170,29 @@ def _handy_scale(curves, size):
 
 
 def _judged(surface, kind, cuts, rules, before, moved, cut_already):
-    hull_native = native.require()
     judged = _judgements_that_stay(before, rules, moved)
     new = [cut for cut in cuts if cut not in judged]
-    for own, sections in (
-        ([cut for cut in new if cut in cut_already], True),
-        ([cut for cut in new if cut not in cut_already], False),
-    ):
-        if own:
-            found = hull_native.section_fairness(
-                surface,
-                np.array([cut.plane for cut in own]),
-                sections=[cut_already[cut] for cut in own] if sections else None,
-                **rules,
-            )
-            judged.update((cut, Judged(cut, one)) for cut, one in zip(own, found))
+    own = [cut for cut in new if cut not in cut_already]
+    if own:
+        planes = np.array([cut.plane for cut in own])
+        sections = moved.sections(
+            surface, planes, rules["chord_tolerance"], rules["flat_tolerance"]
+        )
+        cut_already = {**cut_already, **dict(zip(own, sections))}
+    if new:
+        planes = np.array([cut.plane for cut in new])
+        found = moved.fairness(planes, [cut_already[cut] for cut in new], **_noise(rules))
+        judged.update((cut, Judged(cut, one)) for cut, one in zip(new, found))
     sections = [judged[cut] for cut in cuts]
     if kind == "feature":
-        found = hull_native.feature_fairness(surface, step=rules["step"], noise=rules["noise"])
+        found = native.require().feature_fairness(surface, **_noise(rules))
         sections.append(Judged(None, found))
     return tuple(sections)
+
+
+def _noise(rules):
+    """What of the rules tells how to judge what is cut."""
+    return {name: rules[name] for name in ("step", "noise")}
 
 
 def _judgements_that_stay(before, rules, moved):

@@ -2,6 +2,7 @@
 """Hydrostatics of a floating body, with the names and units of the panel and of the table."""
 
 from dataclasses import dataclass
+from operator import attrgetter
 from types import SimpleNamespace
 
 from ...bridge import native
@@ -114,6 +115,7 @@ GROUP_NOTES = {
 }
 
 QUANTITIES = tuple(_quantities())
+_ALL_OF = attrgetter(*(quantity.path for quantity in QUANTITIES))  # hull_native.Hydrostatics
 # What a hull is told by at a glance: names of quantities, and labels.
 KEY_FIGURES = (
     ("project_block", "Cb"),
@@ -159,7 +161,11 @@ def why_no_volume(found, draft):
 
 def described(found, where):
     """HydrostaticValues of hull_native.Hydrostatics."""
-    values = {quantity.name: _value(found, quantity, where) for quantity in QUANTITIES}
+    has_length = where.length_pp > 0.0
+    values = {
+        quantity.name: None if _is_undefined(quantity, value, has_length) else value
+        for quantity, value in zip(QUANTITIES, _ALL_OF(found))
+    }
     return HydrostaticValues(
         draft=where.draft,
         draft_aft=where.draft + 0.5 * where.trim_m,
@@ -171,14 +177,11 @@ def described(found, where):
     )
 
 
-def _value(found, quantity, where):
-    """A number of hull_native.Hydrostatics, None where 0 there stands for undefined."""
-    value = found
-    for name in quantity.path.split("."):
-        value = getattr(value, name)
-    needs_length = quantity.unit == "%" or quantity.name in ("mtc", "midship_area")
-    is_undefined = quantity.unit in ("", "deg") and value == 0.0
-    return None if is_undefined or (needs_length and where.length_pp <= 0.0) else value
+def _is_undefined(quantity, value, has_length):
+    """Whether a number of hull_native.Hydrostatics stands for none."""
+    if quantity.unit in ("", "deg") and value == 0.0:
+        return True
+    return not has_length and (quantity.unit == "%" or quantity.name in ("mtc", "midship_area"))
 
 
 def _remark(found, where):

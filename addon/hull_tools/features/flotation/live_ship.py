@@ -63,7 +63,7 @@ class LiveShip:
         without it.
         """
         geometry_key = (found.topology_key, found.points_digest, scale)
-        marks = np.packbits(found.data.deck_edges).tobytes()
+        marks = found.data.deck_edge().tobytes()
         has_moved = self.geometry_key not in (None, geometry_key)
         self.waits = may_wait and (self.waits or has_moved)
         self.waits = self.waits and (bool(found.appendages) or self._has_bodies_near())
@@ -94,9 +94,10 @@ class LiveShip:
     def _renew(self, found, scale, geometry_key, control_key, bodies):
         if self._control_key == control_key:
             control = mesh_arrays.moved_arrays(self.source.control, found.data, scale)
+            before = self.surface.mesh
         else:
-            control = found.control(scale)
-        self.check, mesh = mesh_check.check_control_mesh(found.data, control, found.half)
+            control, before = found.control(scale), None
+        self.check, mesh = mesh_check.check_control_mesh(found.data, control, found.half, before)
         is_whole = mesh is not None
         if not is_whole and self._can_be_parted(control, found.half):
             control, mesh = valid_part.valid_part(control)

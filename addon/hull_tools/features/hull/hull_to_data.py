@@ -42,21 +42,24 @@ def ship_data(obj, scale):
     faces = [
         data.face_vertices[end - size : end].tolist() for size, end in zip(data.face_sizes, ends)
     ]
-    of_faces = mesh_arrays.edges_of_faces(data)
+
+    def pairs(edges):
+        return sorted(map(tuple, np.sort(mesh_arrays.of_faces(data, edges), axis=1).tolist()))
+
     layers = _layers(obj, scale)
     return HullData(
         name=obj.name,
         points=units.all_as_stored(data.points) * scale,
         faces=faces,
-        creases=_pairs(data.edges[of_faces & (data.edge_creases >= 1.0)]),
+        creases=pairs(data.tagged_edges[data.edge_creases >= 1.0]),
         corners=np.flatnonzero(data.vertex_creases >= 1.0).tolist(),
         half=settings.half,
         layers=layers,
         face_layers=np.clip(data.face_slots, 0, len(layers) - 1).tolist(),
         particulars=_particulars(settings, scale),
         scheme=settings.scheme,
-        deck_edge=_pairs(data.edges[of_faces & data.deck_edges]),
-        shown_rows=_pairs(_within(row_marks.marked(obj.data), data.edges[of_faces])),
+        deck_edge=pairs(data.deck_edge()),
+        shown_rows=pairs(row_marks.marked(obj.data)),
         flats=_flats(obj, scale),
         developables=_developables(obj, scale),
         locked=point_locks.locked_points(obj.data).tolist(),
@@ -67,16 +70,6 @@ def ship_data(obj, scale):
         lines=line_data.take_lines(settings.lines, scale),
         **loading_data.take_loading(settings, scale),
     )
-
-
-def _pairs(edges):
-    return sorted(map(tuple, np.sort(edges, axis=1).tolist()))
-
-
-def _within(pairs, edges):
-    """Those of pairs (k, 2) of points that are among edges (e, 2)."""
-    keys = mesh_arrays.edge_keys
-    return pairs[np.isin(keys(pairs), keys(edges))]
 
 
 def _flats(obj, scale):

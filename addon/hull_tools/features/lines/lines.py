@@ -7,6 +7,7 @@ it in one go.
 
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
+from typing import NamedTuple
 
 import numpy as np
 
@@ -39,8 +40,7 @@ _SMALLEST_FLAT = 1e-4
 _TO_STARBOARD = np.array([1.0, -1.0, 1.0])
 
 
-@dataclass(frozen=True)
-class Cut:
+class Cut(NamedTuple):
     """A plane as (normal, offset) to cut the surface by.
 
     side: 1 or -1 where only what is to port or starboard of the centre plane counts, else 0. flip:
@@ -246,8 +246,8 @@ def _features(surface):
 
 
 def size_of(surface):
-    """The greatest extent of the control points, in m."""
-    return float(np.ptp(surface.mesh.points, axis=0).max())
+    """The greatest extent of the faces' control points along x, y and z, in m."""
+    return surface.mesh.greatest_extent
 
 
 def steady_size(surface):

@@ -76,7 +76,7 @@ def _variant(obj, entry, scale):
     # Bodies of the mesh that overlap count as those of the hull do.
     once = state.ship.source is not None and state.ship.source.once
     key = (found.topology_key, found.points_digest, scale, found.openings,
-           found.data.deck_edges.tobytes(), found.appendages, once)  # fmt: skip
+           found.data.deck_edge().tobytes(), found.appendages, once)  # fmt: skip
     known = state.of(_Known)
     if known.key != key:
         control = found.control(scale)
