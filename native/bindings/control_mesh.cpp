@@ -187,8 +187,7 @@ void bind_control_mesh(py::module_& module) {
       .def_property_readonly("size", &mesh::ControlMesh::size,
                              "Diagonal of the bounding box of the points of faces, m.")
       .def_property_readonly(
-          "greatest_extent",
-          [](const mesh::ControlMesh& m) { return m.box().sizes().maxCoeff(); },
+          "greatest_extent", [](const mesh::ControlMesh& m) { return m.box().sizes().maxCoeff(); },
           "The longest side of that box, along x, y or z, m.")
       .def_property_readonly(
           "warnings", [](const mesh::ControlMesh& m) { return m.warnings(); },
