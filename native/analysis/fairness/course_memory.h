@@ -30,7 +30,7 @@ struct CourseSegment {
   // d(u, v) at both ends, for a parameter from 0 to 1: the curve's cubic there.
   Eigen::Vector2d leaving, reaching;
   int parts = 0;  // that part_curvatures, 1/m, were taken between; 0: none were
-  std::array<double, kMostParts - 1> part_curvatures{};
+  std::array<double, kMostProbedParts - 1> part_curvatures{};
 };
 
 // What was found out about the courses of the sections by one plane, to be taken over where the

@@ -29,7 +29,7 @@ void add_probes_between(MeasuredCurve& curve, int first, int last, std::vector<P
   const double from = curve.breaks()[first], to = curve.breaks()[last];
   const double wanted = std::ceil((to - from) / (kProbeDistance * curve.length()));
   const int parts = static_cast<int>(
-      std::clamp(wanted, static_cast<double>(kFewestParts), static_cast<double>(kMostParts)));
+      std::clamp(wanted, static_cast<double>(kFewestParts), static_cast<double>(kMostProbedParts)));
   for (int part = 1; part < parts; ++part) {
     const double s = from + (to - from) * part / parts;
     const double curvature = last == first + 1 ? curve.curvature_between(first, part, parts)

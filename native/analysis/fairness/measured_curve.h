@@ -18,7 +18,7 @@ struct CurveSample {
 };
 
 // Of the stretch from one break of a curve to the next.
-inline constexpr int kMostParts = 4;
+inline constexpr int kMostProbedParts = 4;
 
 // A curve without knuckles, by its arc length (m) from 0 to length().
 class MeasuredCurve {
@@ -35,7 +35,7 @@ class MeasuredCurve {
   virtual CurveSample at(double s) const = 0;
 
   // The signed curvature at part / parts of the way from break k to the next. A curve may keep it.
-  // REQUIRES: 0 < part < parts <= kMostParts.
+  // REQUIRES: 0 < part < parts <= kMostProbedParts.
   virtual double curvature_between(int k, int part, int parts) {
     return at(breaks_[k] + (breaks_[k + 1] - breaks_[k]) * part / parts).signed_curvature;
   }
