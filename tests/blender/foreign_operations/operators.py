@@ -75,7 +75,6 @@ _NO_MESHES = {
 _BRINGS_BLENDER_DOWN = {
     "sculpt.set_persistent_base": "it brings Blender down",
     "sculpt.face_sets_create": "without a window it writes where other things are",
-    "sculpt.mask_from_cavity": "with a Multires modifier it writes where other things are",
     "object.lightprobe_cache_bake": "without a window it wants a GPU, and brings Blender down",
 }
 # These change a mesh that is edited and forget to say so to anybody, Blender's own view included.
