@@ -84,7 +84,7 @@ CurveFairness judged(const surface::LimitSurface& surface, const Plane& plane,
   for (const SmoothStretch& stretch : smooth_stretches(curve)) {
     SectionCourse course(surface, plane, curve, stretch, memory);
     add_stretch(course, rules, result);
-    if (memory) course.keep_in(*memory);
+    course.keep();
   }
   return result;
 }

@@ -77,6 +77,7 @@ SectionCourse::SectionCourse(const surface::LimitSurface& surface, const Plane& 
       plane_(plane),
       curve_(curve),
       stretch_(stretch),
+      memory_(memory),
       lengths_(lengths_along(curve, stretch)) {
   segments_.reserve(lengths_.size());
   for (const double length : lengths_) {
@@ -84,20 +85,26 @@ SectionCourse::SectionCourse(const surface::LimitSurface& surface, const Plane& 
     segments_.push_back(segment_between(i, i + 1));
     breaks_.push_back(breaks_.back() + length);
   }
-  for (const Run& run : runs()) {
+  part();
+  for (const Run& run : runs_) {
     const auto own = std::span(segments_).subspan(run.first, run.last - run.first);
     if (memory && can_be_kept(run) && memory->recall(points_of(run), own)) continue;
     for (int k = run.first; k < run.last; ++k) lead(k);
   }
 }
 
-std::vector<SectionCourse::Run> SectionCourse::runs() const {
-  std::vector<Run> runs;
+// Into runs, and the points that a memory knows them by.
+void SectionCourse::part() {
   for (int k = 0; k < static_cast<int>(segments_.size()); ++k) {
-    if (k == 0 || segments_[k].cell != segments_[k - 1].cell) runs.push_back({k, k});
-    runs.back().last = k + 1;
+    if (k == 0 || segments_[k].cell != segments_[k - 1].cell) runs_.push_back({k, k});
+    runs_.back().last = k + 1;
   }
-  return runs;
+  if (!memory_) return;
+  points_.reserve(segments_.size() + 1);
+  for (int i = stretch_.first; i <= stretch_.last; ++i) {
+    const CurveSample at = known(i);
+    points_.push_back({curve_.cells[i], curve_.uv[i], at.point, at.tangent, at.signed_curvature});
+  }
 }
 
 bool SectionCourse::can_be_kept(const Run& run) const {
@@ -105,20 +112,15 @@ bool SectionCourse::can_be_kept(const Run& run) const {
                      [](const CourseSegment& s) { return s.cell >= 0 && !s.is_compared; });
 }
 
-std::vector<CoursePoint> SectionCourse::points_of(const Run& run) const {
-  std::vector<CoursePoint> points;
-  points.reserve(run.last - run.first + 1);
-  for (int i = stretch_.first + run.first; i <= stretch_.first + run.last; ++i) {
-    const CurveSample at = known(i);
-    points.push_back({curve_.cells[i], curve_.uv[i], at.point, at.tangent, at.signed_curvature});
-  }
-  return points;
+std::span<const CoursePoint> SectionCourse::points_of(const Run& run) const {
+  return std::span(points_).subspan(run.first, run.last - run.first + 1);
 }
 
-void SectionCourse::keep_in(CourseMemory& memory) const {
-  for (const Run& run : runs()) {
+void SectionCourse::keep() const {
+  if (!memory_) return;
+  for (const Run& run : runs_) {
     const auto own = std::span(segments_).subspan(run.first, run.last - run.first);
-    if (can_be_kept(run)) memory.keep(points_of(run), own);
+    if (can_be_kept(run)) memory_->keep(points_of(run), own);
   }
 }
 

@@ -25,8 +25,8 @@ class SectionCourse : public MeasuredCurve {
   CurveSample at(double s) const override;
   double curvature_between(int k, int part, int parts) override;
 
-  // Keeps what is known by now.
-  void keep_in(CourseMemory& memory) const;
+  // Keeps in the memory, if any, what is known by now.
+  void keep() const;
 
  private:
   // Segments first … last - 1, which are all that are side by side in one cell.
@@ -36,9 +36,9 @@ class SectionCourse : public MeasuredCurve {
   CourseSegment segment_between(int a, int b) const;
   CourseSegment in_common_cell(int a, int b) const;
   double middle_height(const CourseSegment& segment) const;
-  std::vector<Run> runs() const;
+  void part();
   bool can_be_kept(const Run& run) const;
-  std::vector<CoursePoint> points_of(const Run& run) const;
+  std::span<const CoursePoint> points_of(const Run& run) const;
   void lead(int k);
   Eigen::Vector2d slope_at(const CourseSegment& segment, int k, bool at_end) const;
   CurveSample between(int k, double fraction) const;
@@ -52,8 +52,11 @@ class SectionCourse : public MeasuredCurve {
   Plane plane_;
   const SectionCurve& curve_;
   SmoothStretch stretch_;
+  CourseMemory* memory_;
   std::vector<double> lengths_;  // m, between the breaks
   std::vector<CourseSegment> segments_;
+  std::vector<Run> runs_;
+  std::vector<CoursePoint> points_;  // none without a memory
 };
 
 }  // namespace hull::analysis

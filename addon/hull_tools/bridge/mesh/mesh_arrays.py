@@ -179,10 +179,10 @@ def control_arrays(data, metres_per_unit, excluded_slots=()):
     new_index = np.full(len(data.points), -1, dtype=np.int32)
     new_index[vertex_ids] = np.arange(len(vertex_ids), dtype=np.int32)
 
-    shell_edges = _face_edge_keys(face_sizes, face_vertices)
+    shell_edges = face_edge_keys(face_sizes, face_vertices)
 
     def on_shell(edges):
-        return new_index[edges[np.isin(edge_keys(edges), shell_edges)]]
+        return new_index[with_keys(edges, shell_edges)]
 
     corner_ids = np.flatnonzero(data.vertex_creases >= 1.0)
     corners = new_index[corner_ids]
@@ -211,16 +211,15 @@ def fractional_creases(data):
     return edges, vertices
 
 
-def of_faces(data, edges):
-    """(m, 2) those of edges (k, 2) of a MeshData that belong to a face."""
-    keys = _face_edge_keys(data.face_sizes, data.face_vertices)
+def with_keys(edges, keys):
+    """(m, 2) those of edges (k, 2) whose edge_keys are among these."""
     return edges[np.isin(edge_keys(edges), keys)]
 
 
 def border_edges(control):
     """(b, 2) the edges of ControlArrays that one face has."""
     keys, counts = np.unique(
-        _face_edge_keys(control.face_sizes, control.face_vertices), return_counts=True
+        face_edge_keys(control.face_sizes, control.face_vertices), return_counts=True
     )
     keys = keys[counts == 1]
     return np.stack([keys >> 32, keys & 0xFFFFFFFF], axis=1)
@@ -232,7 +231,7 @@ def edge_keys(pairs):
     return (pairs[:, 0] << 32) | pairs[:, 1]
 
 
-def _face_edge_keys(face_sizes, face_vertices):
+def face_edge_keys(face_sizes, face_vertices):
     """Keys of the edges of all faces, one for each corner: from it to the next of its face."""
     return edge_keys(ends_of_sides(face_sizes, face_vertices))
 

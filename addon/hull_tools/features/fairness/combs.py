@@ -178,7 +178,7 @@ def _judged(surface, kind, cuts, rules, before, moved, cut_already):
         sections = moved.sections(
             surface, planes, rules["chord_tolerance"], rules["flat_tolerance"]
         )
-        cut_already = {**cut_already, **dict(zip(own, sections))}
+        cut_already.update(zip(own, sections))
     if new:
         planes = np.array([cut.plane for cut in new])
         found = moved.fairness(planes, [cut_already[cut] for cut in new], **_noise(rules))

@@ -42,9 +42,11 @@ def ship_data(obj, scale):
     faces = [
         data.face_vertices[end - size : end].tolist() for size, end in zip(data.face_sizes, ends)
     ]
+    keys = mesh_arrays.face_edge_keys(data.face_sizes, data.face_vertices)
 
     def pairs(edges):
-        return sorted(map(tuple, np.sort(mesh_arrays.of_faces(data, edges), axis=1).tolist()))
+        own = mesh_arrays.with_keys(edges, keys)
+        return sorted(map(tuple, np.sort(own, axis=1).tolist()))
 
     layers = _layers(obj, scale)
     return HullData(
